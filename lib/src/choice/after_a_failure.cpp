@@ -13,7 +13,7 @@ namespace avi::detail {
 void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   Choice& choice = answer_.choice;
   if (question_.made || !(it.longest > 0.0)) return;
-  const double usual = distance_->frequency, before = std::sqrt(choice.poles.front());
+  const double usual = known_.distance->frequency, before = std::sqrt(choice.poles.front());
   double root = before;
   for (const Sketch::Sample& sample : there.samples) {
     if (sample.frequency > usual) continue;  // near a pole
@@ -22,18 +22,18 @@ void Orbiter::stay_near(Candidate& it, const Sketch& there) {
   }
   if (!(root > 1.1 * before)) return;
   choice.poles.front() = root * root;
-  it.take(candidate(it.name, question_, trip_->energy_at_start, choice));
+  it.take(candidate(it.name, question_, known_.trip->energy_at_start, choice));
   it.below = it.between = infinity;
 }
 
 /// Makes another sketch from where a run failed: what it meets sets the steps from here on.
 void Orbiter::look_from(const State<dynamic>& z) {
-  field_.sense = sense_;
-  const Sketch there(field_, stacked(z), std::abs(question_.t_end - z.t), metric_, 512,
+  known_.field.sense = known_.sense;
+  const Sketch there(known_.field, stacked(z), std::abs(question_.t_end - z.t), known_.metric, 512,
                      std::abs(z.t - question_.t));
-  field_.sense = 1.0;
+  known_.field.sense = 1.0;
   dead_end_ = there.stuck ? std::abs(z.t - question_.t) + there.time : 0.0;
-  for (Candidate& it : menu_) {
+  for (Candidate& it : menu_.all) {
     it.failures = 0;
     if (it.name == "poles") stay_near(it, there);
     double longest = it.longest, fictive = it.fictive;
@@ -47,7 +47,7 @@ void Orbiter::look_from(const State<dynamic>& z) {
         std::min(longest, 30.0 * it.longest);  // a sketch is not exact, and a step may be shortened again
     it.outlook *= longest / it.longest;
     // A monitor that suits the beginning may be far too small here.
-    const double slower = fictive / it.fictive * sketch_->time / (sketch_->time + there.time);
+    const double slower = fictive / it.fictive * known_.sketch->time / (known_.sketch->time + there.time);
     if (std::isfinite(slower)) it.outlook *= slower;
     it.longest = longest;
   }
@@ -87,7 +87,7 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
     furthest_ = std::max(furthest_, reached);
     if (again) repeated_ = std::min(repeated_, reached);
   }
-  if (stopped ? it.failures == 0 && has_a_choice() : !again) look_from(journey.state);
+  if (stopped ? it.failures == 0 && menu_.has_a_choice() : !again) look_from(journey.state);
   // Runs with two monitors stall at the same time: the orbit ends there.
   if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
   failed_at_ = reached, failed_with_ = &it;
@@ -104,14 +104,14 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
 /// either.
 Candidate* Orbiter::most_hopeful() {
   const auto work = [&](const Candidate& each) {
-    return each.outlook * std::max(1.0, first_step(each) / each.below);
+    return each.outlook * std::max(1.0, menu_.first_step(each) / each.below);
   };
   double least = infinity;
-  for (const Candidate& each : menu_)
+  for (const Candidate& each : menu_.all)
     if (!each.aside) least = std::min(least, each.outlook);
   Candidate* best = nullptr;
-  const int most = dead_end_ > 0.0 ? 2 : has_a_choice() ? 4 : 8;
-  for (Candidate& each : menu_) {
+  const int most = dead_end_ > 0.0 ? 2 : menu_.has_a_choice() ? 4 : 8;
+  for (Candidate& each : menu_.all) {
     if (each.aside) continue;
     const bool hopeless = each.failures >= most || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
     if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
@@ -135,7 +135,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
     drop_runs();
     resolved_ = 0.0, before_ = infinity;
   }
-  setting = {best, std::min(first_step(*best), best->below)};
+  setting = {best, std::min(menu_.first_step(*best), best->below)};
   return true;
 }
 

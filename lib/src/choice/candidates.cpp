@@ -182,10 +182,10 @@ std::shared_ptr<const Formulas> formulas_of(const Choice& choice, const OrbitQue
 namespace {
 
 /// The menu in the making.
-class Menu {
+class MenuWriter {
  public:
-  Menu(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch, const Bends& bends,
-       const VectorX& metric, Choice& constants, double operations)
+  MenuWriter(const OrbitQuestion& question, double energy_at_start, const Sketch& sketch, const Bends& bends,
+             const VectorX& metric, Choice& constants, double operations)
       : question_(question), energy_at_start_(energy_at_start), sketch_(sketch), bends_(bends),
         metric_(metric), constants_(constants), graph_(std::make_shared<ExpressionGraph>(question.graph)),
         strength_(strengths(sketch, metric)) {
@@ -350,7 +350,7 @@ std::vector<Candidate> candidates(const OrbitQuestion& question, double energy_a
                                   const Bends& bends, double radians, const Resting& resting,
                                   const VectorX& metric, Choice& constants, double operations) {
   const std::string& wanted = question.options.monitor.name;
-  Menu menu(question, energy_at_start, sketch, bends, metric, constants, operations);
+  MenuWriter menu(question, energy_at_start, sketch, bends, metric, constants, operations);
   menu.add_energies(resting);
   if (question.given >= 0) menu.add_given();
   if (menu.moves()) {

@@ -17,8 +17,9 @@ Orbiter::Lags Orbiter::lags(const Journey& coarse, const Journey& fine, double r
   const double until = since_start(marks - 1);
   double least = infinity;
   for (std::size_t i = 0; i < marks; ++i) {
-    const double whole = (*distance_)(coarse.marks[i], fine.marks[i], fine.ranges), apart = whole / ratio;
-    const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * usual_speed_);
+    const double whole = (*known_.distance)(coarse.marks[i], fine.marks[i], fine.ranges),
+                 apart = whole / ratio;
+    const double speed = std::max(speed_at(fine.marks[i], fine.ranges), 0.03 * known_.usual_speed);
     const double behind = speed > 0.0 ? apart / speed : apart;
     const double since = since_start(i);
     if (since <= (compared_ > 3 ? 0.251 : 0.376) * until) lags.early = std::max(lags.early, behind);
@@ -65,13 +66,13 @@ struct Orbiter::TwoRuns {
     // Output times and events may be where the motion is fast.
     const OrbitQuestion& question = orbiter.question_;
     if (!question.times.empty() || !question.events.empty() || question.options.dense)
-      seen.error = std::max(seen.error, seen.behind * orbiter.high_speed_);
+      seen.error = std::max(seen.error, seen.behind * orbiter.known_.high_speed);
     return seen;
   }
 
  private:
   [[nodiscard]] double speed_at(const State<dynamic>& z) const {
-    return std::max(orbiter.speed_at(z, fine.ranges), 0.03 * orbiter.usual_speed_);
+    return std::max(orbiter.speed_at(z, fine.ranges), 0.03 * orbiter.known_.usual_speed);
   }
 
   /// Finds the factor between the two errors. They fall slower than by the order if steps do not resolve all
@@ -81,7 +82,7 @@ struct Orbiter::TwoRuns {
         fine.energy_error > std::max(1e3 * orbiter.answer_.energy_rounding, energy_left_by_sweeps(fine));
     const double falls =
         seen_to_fall ? std::max(1.0, 0.5 * coarse.energy_error / fine.energy_error) : infinity;
-    if (!orbiter.features_->has_kinks() && !orbiter.coarse_grained_)
+    if (!orbiter.known_.features->has_kinks() && !orbiter.coarse_grained_)
       ratio = std::min(trusted(coarse, fine), falls);
     left = left_by_sweeps(fine);
   }
@@ -112,7 +113,8 @@ struct Orbiter::TwoRuns {
   /// order in what the curve lacks, which is about the last term of its polynomial. Measured errors are 1 to
   /// 20 times the square of that term.
   void add_what_few_steps_lack() {
-    const double lacking = orbiter.distance_->speed(fine.tails, orbiter.distance_->scales(fine.ranges));
+    const double lacking =
+        orbiter.known_.distance->speed(fine.tails, orbiter.known_.distance->scales(fine.ranges));
     const double speed = speed_at(fine.state);
     seen.error = std::max(seen.error, lacking * lacking);
     lag.late = std::max(lag.late, speed > 0.0 ? lacking * lacking / speed : lacking * lacking);
@@ -125,7 +127,7 @@ struct Orbiter::TwoRuns {
     const double parted = parted_by(coarse.pauses, fine.pauses, question.t, orbiter.marks_[marks - 1]);
     orbiter.lost_ = parted > 1.0 || (fine.pauses.undecided && !question.timed);
     if (orbiter.lost_) {
-      seen.error = std::max(seen.error, 1.0), lag.late = std::max(lag.late, 1.0 / orbiter.usual_speed_);
+      seen.error = std::max(seen.error, 1.0), lag.late = std::max(lag.late, 1.0 / orbiter.known_.usual_speed);
       orbiter.unstable_ = true;
     } else if (parted > 0.3) {
       seen.error *= ratio, lag.late *= ratio;
@@ -138,11 +140,11 @@ struct Orbiter::TwoRuns {
     const double early = lag.early, late = lag.late;
     const bool grows = late > 20.0 * early && (lag.furthest > 10.0 * left || late > 1e3 * early);
     if (!(early > 0.0 && grows)) return;
-    const double turns = orbiter.distance_->frequency * until;
+    const double turns = orbiter.known_.distance->frequency * until;
     const double rounding =
         (100.0 * std::numeric_limits<double>::epsilon() + 10.0 * fine.candidate->noise) * turns;
     const bool seen_long = turns > shortest_growth || late > 1e3 * early;
-    if (seen_long && late * orbiter.usual_speed_ * ratio > rounding) {
+    if (seen_long && late * orbiter.known_.usual_speed * ratio > rounding) {
       seen.growth = std::min(3.0, std::log(late / early) / std::log(4.0));
       if (late > 60.0 * early) seen.rate = std::log(late / early) / (0.75 * until);
     }
@@ -163,13 +165,13 @@ Comparison Orbiter::compare(const Journey& coarse, const Journey& fine) {
 /// pause may have other reasons, as in a motion that a clock drives with a small amplitude, so 0 is returned.
 /// @param unseen see Pauses
 double Orbiter::lag_at_saddles(const Journey& journey, double unseen) const {
-  return field_.size() == 1 ? journey.pauses.lag(unseen) : 0.0;
+  return known_.field.size() == 1 ? journey.pauses.lag(unseen) : 0.0;
 }
 
 double Orbiter::speed_at(const State<dynamic>& z, const Ranges& ranges) {
   VectorX slope(2 * z.q.size());
-  field_(z, slope);
-  return (*distance_)(slope, ranges);
+  known_.field(z, slope);
+  return (*known_.distance)(slope, ranges);
 }
 
 /// Returns how far rounding of time moves a state along the orbit. A clock that begins at zero has as many
@@ -187,9 +189,9 @@ double Orbiter::rounding_of_energy(const Journey& journey) {
   double most = h.rounding(stacked(journey.worst));
   for (const State<dynamic>& mark : journey.marks)
     most = std::max(most, h.rounding(stacked(mark)));
-  for (const Sketch::Sample& sample : sketch_->samples)
+  for (const Sketch::Sample& sample : known_.sketch->samples)
     most = std::max(most, h.rounding(sample.z));
-  return most / trip_->energy_scale;
+  return most / known_.trip->energy_scale;
 }
 
 /// Returns true if the energy errs most where the monitor is small, and by no more than rounding explains.
@@ -199,19 +201,20 @@ bool Orbiter::passes(const Journey& journey) const {
   double usual = it.rate_at(journey.state);
   for (const State<dynamic>& mark : journey.marks)
     usual = std::max(usual, it.rate_at(mark));
-  return journey.energy_error * it.rate_at(journey.worst) < 1e3 * trip_->rounding * usual;
+  return journey.energy_error * it.rate_at(journey.worst) < 1e3 * known_.trip->rounding * usual;
 }
 
 /// Returns true if the gradient that H supplies differs from that of its formula by more than rounding.
 bool Orbiter::follows_another_gradient() {
   if (foreign_gradient_ || question_.gradient.empty()) return foreign_gradient_.value_or(false);
-  const int n = field_.size();
+  const int n = known_.field.size();
   RecordedFormula<double> formula{Recording(question_.graph, question_.energy).gradient()};
   VectorX apart = VectorX::Zero(2 * n), size = apart;
-  for (const Sketch::Sample& sample : sketch_->samples) {
+  for (const Sketch::Sample& sample : known_.sketch->samples) {
     formula.run(sample.z.data(), sample.z.data() + n, n);
     for (int i = 0; i < 2 * n; ++i) {
-      const double own = i < n ? sense_ * formula.partial(n + i) : -sense_ * formula.partial(i - n);
+      const double own =
+          i < n ? known_.sense * formula.partial(n + i) : -known_.sense * formula.partial(i - n);
       apart[i] = std::max(apart[i], std::abs(sample.slope[i] - own));
       size[i] = std::max(size[i], std::abs(own));
     }
@@ -225,7 +228,7 @@ double Orbiter::foretold(const Comparison& seen, double from, double to, double 
   if (!(to > from)) return seen.error;
   const double behind =
       seen.behind * (seen.rate > 0.0 ? std::exp(seen.rate * (to - from)) : std::pow(to / from, seen.growth));
-  return behind * std::max(speed, 0.03 * usual_speed_);
+  return behind * std::max(speed, 0.03 * known_.usual_speed);
 }
 
 }  // namespace avi::detail

@@ -20,9 +20,9 @@ bool sweeps_leave_more(const Journey& run) {
 /// If H depends on time, the motion may be far larger later than at its beginning, whose mean of half
 /// of |p q'| is the unit of energy errors. Then the mean up to this mark becomes the unit.
 void Orbiter::look_at_work(std::size_t mark) {
-  const double mean = fine_->work / since_start(mark), unit = trip_->energy_scale;
+  const double mean = fine_->work / since_start(mark), unit = known_.trip->energy_scale;
   if (!(mean > unit) || !std::isfinite(mean)) return;
-  take_unit_of_energy(mean);
+  known_.take_unit_of_energy(mean);
   coarse_->energy_error *= unit / mean, fine_->energy_error *= unit / mean;
 }
 
@@ -31,8 +31,8 @@ bool Orbiter::again(Setting& setting, double factor) {
   note_trial(*coarse_, infinity);
   if (factor > 0.87) note_trial(*fine_, seen_.error);
   setting.h = fine_->h * factor;
-  if (setting.h * longer > longest_step(*setting.candidate))
-    setting.h = longest_step(*setting.candidate) / longer;
+  if (setting.h * longer > menu_.longest_step(*setting.candidate))
+    setting.h = menu_.longest_step(*setting.candidate) / longer;
   return true;
 }
 
@@ -49,7 +49,7 @@ Orbiter::Alike Orbiter::alike_energies() {
   if (falls) return Alike::no;
   if (!(errs < most_rounding) || follows_another_gradient()) return Alike::unexplained;
   if (errs <= 10.0 * question_.tolerance) return Alike::harmless;
-  return features_->has_kinks() ? Alike::rounding : Alike::unexplained;
+  return known_.features->has_kinks() ? Alike::rounding : Alike::unexplained;
 }
 
 /// The tolerance is kept at the end. Two runs of few steps may agree by chance, so an error not far below it
@@ -75,12 +75,12 @@ bool Orbiter::lengthen(Setting& setting, std::size_t mark, double factor) {
     slow_ = true;
     return again(setting, 0.7);
   }
-  const double most = std::min(longest_step(*setting.candidate), stable_step(*setting.candidate));
+  const double most = std::min(menu_.longest_step(*setting.candidate), menu_.stable_step(*setting.candidate));
   const double gain = std::min({0.9 * factor, 2.0, most / (longer * fine_->h)});
   // A longer step may need Newton's method, which takes many times as long as a sweep.
   const bool laborious = !setting.candidate->splits() && fine_->run.evaluations > 14 * steps;
   if (lengthened_ == most_lengthened || mark > 1 || steps < 6 || laborious || !(gain > 1.15) ||
-      (1.0 - 1.0 / gain) * (span_ - here) < 2.0 * here)
+      (1.0 - 1.0 / gain) * (known_.span - here) < 2.0 * here)
     return false;
   ++lengthened_;
   lengthened_for_ = setting.candidate;
@@ -99,13 +99,13 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
     return again(setting, 1.0);
   }
   const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
-  const double pair = span_ / since_start(mark) * setting.candidate->price() *
+  const double pair = known_.span / since_start(mark) * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
   // Errors set by rounding go up and down, so a pair that does not improve on the best one is in vain.
   // Without a check, a prediction stands for the whole run, and each pair is compared with the one before.
   const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
   // Beyond a kink, errors fall slowly and by chance: steps could be shortened without end.
-  const bool endless = features_->has_kinks() && pair > 0.5 * patience * std::max(factor, 0.35);
+  const bool endless = known_.features->has_kinks() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
     // Once steps resolve the motion, steps a third as long have a ten million times smaller error. If that is
     // not enough, it is chaos or noise; unless the step was made longer, as the shorter one is known to work.
@@ -119,7 +119,7 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
     // Energy errors this small that do not fall with the step are rounding on the way.
     const bool rounds = errors.hidden || (fine_->energy_error > 0.5 * coarse_->energy_error &&
                                           fine_->energy_error < 1e4 * answer_.energy_rounding);
-    resigned_ = lost || vain_ > (features_->has_kinks() || thin_ ? 3 : 1) ||
+    resigned_ = lost || vain_ > (known_.features->has_kinks() || thin_ ? 3 : 1) ||
                 (rounds && resolved_ > 0.0 && beyond) || endless || spent > std::max(patience, 3.0 * pair);
   } else {
     vain_ = in_vain ? vain_ + 1 : 0;
@@ -177,7 +177,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   seen_ = cut ? Comparison() : compare(*coarse_, *fine_);
   // The energy error that the sweeps leave may decide how long the motion stays near a saddle.
   if (!unstable_ && sweeps_leave_more(*fine_) &&
-      lag_at_saddles(*fine_, 0.2 * fine_->solved) * high_speed_ > wanted_part * tolerance) {
+      lag_at_saddles(*fine_, 0.2 * fine_->solved) * known_.high_speed > wanted_part * tolerance) {
     unstable_ = true;
     return again(setting, 1.0);
   }
@@ -189,13 +189,13 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
     coarse_grained_ = coarse_grained_ || fine_->energy_error > 3.0 * tolerance;
   const bool hidden = fine_->energy_error <= 100.0 * answer_.energy_rounding;
   const double of_energy = hidden || alike == Alike::harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
-  const double of_state = foretold(seen_, here, span_, high_speed_) / tolerance;
+  const double of_state = foretold(seen_, here, known_.span, known_.high_speed) / tolerance;
   if (!hidden) doubt_beginning(mark, of_energy);
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
   // No step adds digits to distant coordinates, or to a distant clock.
   const double digits =
-      std::max(distance_->rounding_of(fine_->state, fine_->ranges), rounding_of_clock(*fine_));
+      std::max(known_.distance->rounding_of(fine_->state, fine_->ranges), rounding_of_clock(*fine_));
   if (digits > tolerance && seen_.error <= 1e3 * digits) {
     resigned_ = true, resigned_at_ = marks_.size();
     return false;
@@ -211,17 +211,17 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
 /// will do. @param others work of a pair of runs, which it has to undercut @return true if one is taken
 bool Orbiter::take_from_aside(Setting& setting, double others) {
   const auto work = [&](Candidate& it) {
-    return 2.0 * 10.0 * it.price() * expected_steps(it, first_step(it), span_);
+    return 2.0 * 10.0 * it.price() * menu_.expected_steps(it, menu_.first_step(it), known_.span);
   };
   Candidate* best = nullptr;
-  for (Candidate& it : menu_)
+  for (Candidate& it : menu_.all)
     if (it.aside && work(it) < (best ? work(*best) : others)) best = &it;
   if (!best) return false;
   if (coarse_ && coarse_->ok()) note_trial(*coarse_, infinity);
   if (fine_ && fine_->ok()) note_trial(*fine_, seen_.error);
   drop_runs();
   best->aside = false;
-  instead_of_ = std::exchange(setting, {best, first_step(*best)});
+  instead_of_ = std::exchange(setting, {best, menu_.first_step(*best)});
   resigned_ = steady_ = false;
   resolved_ = 0.0, before_ = infinity, vain_ = 0;
   return true;
@@ -232,13 +232,14 @@ bool Orbiter::take_from_aside(Setting& setting, double others) {
 bool Orbiter::try_others(Setting& setting) {
   others_tried_ = true;
   const double here = since_start(0);
-  if (!(span_ > 8.0 * here) || !has_a_choice()) return false;
+  if (!(known_.span > 8.0 * here) || !menu_.has_a_choice()) return false;
   const double behind = std::max(seen_.behind, 1e-300);
-  const double wanted = wanted_part * question_.tolerance * here / span_ / std::max(high_speed_, 1e-300);
+  const double wanted =
+      wanted_part * question_.tolerance * here / known_.span / std::max(known_.high_speed, 1e-300);
   // Factor by which its steps may become longer.
   const auto gain = [&](const Journey& run, double its_behind) {
     const double most =
-        std::min(run.candidate->splits() ? 3.0 : 2.0, stable_step(*run.candidate) / (longer * run.h));
+        std::min(run.candidate->splits() ? 3.0 : 2.0, menu_.stable_step(*run.candidate) / (longer * run.h));
     return std::clamp(std::pow(wanted / its_behind, 1.0 / run.order), 0.2, std::max(most, 0.2));
   };
   const auto cost = [&](const Journey& run, double its_behind) {
@@ -248,12 +249,12 @@ bool Orbiter::try_others(Setting& setting) {
   const double radians = setting.h * setting.candidate->longest;
   std::optional<Journey> winner;
   double its_behind = 0.0;
-  for (Candidate& it : menu_) {
-    const bool dear = it.outlook > 2.5 * menu_.front().outlook;
+  for (Candidate& it : menu_.all) {
+    const bool dear = it.outlook > 2.5 * menu_.all.front().outlook;
     if (&it == setting.candidate || it.aside || dear || !(it.longest > 0.0)) continue;
     const bool same = it.splits() == setting.candidate->splits();
-    const double first = same ? radians / it.longest : first_step(it);
-    Journey run = begin({&it, std::min({first, longest_step(it), it.below})}, 1.0);
+    const double first = same ? radians / it.longest : menu_.first_step(it);
+    Journey run = begin({&it, std::min({first, menu_.longest_step(it), it.below})}, 1.0);
     // A run that takes more cannot win, however much longer its steps may become.
     run.most = 50.0 + (it.splits() ? 2.7 : 1.8) * best / it.price();
     run.advance(marks_[0], false);
@@ -261,8 +262,8 @@ bool Orbiter::try_others(Setting& setting) {
       note_trial(run, infinity);
       continue;
     }
-    const double apart = (*distance_)(run.marks[0], fine_->marks[0], fine_->ranges);
-    const double speed = std::max(speed_at(fine_->marks[0], fine_->ranges), 0.03 * usual_speed_);
+    const double apart = (*known_.distance)(run.marks[0], fine_->marks[0], fine_->ranges);
+    const double speed = std::max(speed_at(fine_->marks[0], fine_->ranges), 0.03 * known_.usual_speed);
     const double late = std::max(apart / speed + behind, 1e-300);
     note_trial(run, apart);
     if (cost(run, late) < 0.9 * best) {

@@ -1,10 +1,5 @@
 #pragma once
-#include "src/choice/choose.hpp"
-#include "src/choice/distance.hpp"
-#include "src/choice/journey.hpp"
-#include "src/choice/prepared.hpp"
-#include "src/features/bends.hpp"
-#include "src/features/separable.hpp"
+#include "src/choice/menu.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +12,6 @@
 
 namespace avi::detail {
 
-/// Smallest number of steps of runs that are compared: the last step is cut to end on time, and in shorter
-/// runs it would be the same in both.
-inline constexpr int fewest = 3;
 /// Phase, in radians, below which errors fluctuate by more than they grow.
 inline constexpr double shortest_growth = 400.0;
 /// Largest number of pairs of runs.
@@ -30,9 +22,6 @@ inline constexpr int most_lengthened = 2;
 inline constexpr double wanted_part = 0.2;
 /// Largest factor between the errors of two runs that is believed.
 inline constexpr double most_trusted = 20.0;
-/// Ratio of the longer to the shorter step of two runs that are compared.
-inline constexpr double longer = 1.25;
-
 /// Tolerance of sweeps that are to leave only rounding, see SweepSettings.
 inline constexpr double least_of_sweeps = SweepSettings{}.tolerance;
 /// The distance, relative to the ranges, by which residuals of the sweeps move the end of a run. Like the
@@ -67,9 +56,6 @@ struct ErrorsAtMark {
   bool steady;                 ///< Whether the energy error does not fall with the step, for no known reason.
 };
 
-/// Least number of steps of a sketch that is to pass over nothing.
-inline constexpr int parts_of_close_sketch = 2048;
-
 /// Smallest energy error that cannot be rounding of H, unless the terms of H are far larger than H.
 inline constexpr double most_rounding = 1e-6;
 
@@ -96,33 +82,14 @@ inline double trusted(const Journey& coarse, const Journey& fine) {
 class Orbiter {
  public:
   Orbiter(const OrbitQuestion& question, Budget& budget)
-      : question_(question), budget_(budget), field_(field_of(question)),
-        sense_(question.t_end < question.t ? -1.0 : 1.0), span_(std::abs(question.t_end - question.t)) {}
+      : question_(question), budget_(budget), known_(question, budget, answer_), menu_(question, known_) {}
 
   OrbitAnswer solve();
 
  private:
-  // preparation.cpp
-  [[nodiscard]] bool late() const;
-  void prepare();
-  double energy_and_slope(const VectorX& start, VectorX& slope);
-  void sketch_from(const VectorX& start);
-  [[nodiscard]] bool moves(const Sketch::Sample& sample) const;
-  void look_at_bends(const VectorX& start);
-  Resting at_rest(Eigen::Index seen, bool& drifting);
-  double mean_motion(const Ranges& ranges, Eigen::Index seen);
-  void describe_motion(const Resting& resting, Eigen::Index seen, bool drifting);
-  void look_for_features(double scale);
-  void take_the_named(const std::string& wanted);
-  void write_menu(const Resting& resting);
-  void follow_the_take_off(Eigen::Index seen);
-  VectorX rounding_of(const Sketch& sketch, const VectorX& metric);
-  void take_unit_of_energy(double scale);
+  // orbiter.cpp
   void set_marks();
-  void offer_splitting();
-  [[nodiscard]] double first_step(const Candidate& it);
   double affordable(Candidate& it, double h);
-  [[nodiscard]] double stable_step(const Candidate& it);
   [[nodiscard]] bool was_blind(const Setting& setting) const;
   OrbitAnswer look_closely();
 
@@ -191,52 +158,25 @@ class Orbiter {
   void take_furthest();
 
   [[nodiscard]] double since_start(std::size_t mark) const { return std::abs(marks_[mark] - question_.t); }
-  [[nodiscard]] int order_of(const Candidate& it) const { return it.splits() ? 6 : order_; }
-  [[nodiscard]] bool has_a_choice() const {  // of candidates that are not set aside
-    return std::ranges::count(menu_, false, &Candidate::aside) > 1;
-  }
   [[nodiscard]] bool is_further(const Journey& journey, const Journey& other) const {
-    return sense_ * (journey.state.t - other.state.t) > 0.0;
+    return known_.sense * (journey.state.t - other.state.t) > 0.0;
   }
   [[nodiscard]] double its_patience() const { return dead_end_ > 0.0 ? 0.1 * patience : patience; }
-  [[nodiscard]] double longest_step(const Candidate& it) const {
-    const double fictive = it.fictive > 0.0 ? span_ * it.fictive / std::max(sketch_->time, 1e-300) : span_;
-    return std::min(it.between, fictive / fewest);
-  }
-  [[nodiscard]] double expected_steps(const Candidate& it, double h, double time) const {
-    return time * it.fictive / std::max(sketch_->time, 1e-300) / h;
-  }
 
   const OrbitQuestion& question_;
   Budget& budget_;
   OrbitAnswer answer_;
-  PointField field_;
-  double sense_, span_;
+  Overview known_;  // what is known before the runs
+  Menu menu_;
   bool closely_ = false;  // whether the sketch takes short steps, as one of longer steps was blind
-
-  // What is known before the runs.
-  std::optional<Trip> trip_;
-  std::optional<Sketch> sketch_;
-  std::optional<Bends> bends_;
-  VectorX metric_;  // diagonal of H_pp at the start
-  std::optional<Distance> distance_;
-  std::optional<SharpFeatures> features_;
-  std::optional<NearPasses> passes_;
-  std::vector<Candidate> menu_;
-  Parts parts_ = Parts::coupled;
-  int order_ = 16;            // order of collocation
-  double aim_ = 1e-15;        // wanted error per radian
-  double radians_ = 0.0;      // phase of the whole orbit
-  double fastest_ = -1.0;     // frequency at the start; negative if not known yet
-  double rate_ = -1.0;        // rate at which the slope there changes with time alone; likewise
-  double usual_speed_ = 0.0;  // mean speed over the sketch
-  double high_speed_ = 0.0;   // a speed that the motion may have at the end
   std::vector<double> marks_;
   std::size_t compared_ = 0;              // number of marks at which two runs are compared
   std::optional<bool> foreign_gradient_;  // whether H supplies a gradient that is not its own, once checked
 
   // The two runs, and what they show.
   int round_ = 0;  // pairs of runs so far
+  double rate_ =
+      -1.0;  // rate at which the slope at the start changes with time alone; negative if not known yet
   std::optional<Journey> coarse_, fine_;
   Comparison seen_;
   std::size_t judged_ = 0;       // mark of that comparison

@@ -23,13 +23,13 @@ void Orbiter::note_trial(const Journey& journey, double error) {
 Journey Orbiter::begin(const Setting& setting, double factor) {
   const double h = factor * setting.h;
   // The sweeps may leave a twentieth of the tolerance at most, see left_by_sweeps, unless small errors grow.
-  const double steps = std::max(1.0, expected_steps(*setting.candidate, h, span_));
+  const double steps = std::max(1.0, menu_.expected_steps(*setting.candidate, h, known_.span));
   const double usual = std::clamp(question_.tolerance / (10.0 + 0.1 * steps * steps), least_of_sweeps, 1e-6);
   const double tolerance = unstable_ ? least_of_sweeps : usual;
-  return {*trip_,
-          field_,
+  return {*known_.trip,
+          known_.field,
           *setting.candidate,
-          order_of(*setting.candidate),
+          menu_.order_of(*setting.candidate),
           h,
           {.tolerance = tolerance, .max_sweeps = 60}};
 }
@@ -38,13 +38,14 @@ Journey Orbiter::begin(const Setting& setting, double factor) {
 void Orbiter::bound(Journey& journey, std::size_t mark) {
   // A run that takes over a hundred times what the sketch suggests has met something else; over ten times,
   // another monitor may be better.
-  const bool first = journey.candidate->failures == 0 && has_a_choice();
-  journey.most = 1e4 + (first ? 3e2 : 3e3) * expected_steps(*journey.candidate, journey.h, since_start(mark));
+  const bool first = journey.candidate->failures == 0 && menu_.has_a_choice();
+  journey.most =
+      1e4 + (first ? 3e2 : 3e3) * menu_.expected_steps(*journey.candidate, journey.h, since_start(mark));
   // Nor should a run take long where the sketch took some hundred steps, unless its step is given, or its
   // order is low and needs many steps.
   const SolveOptions& options = question_.options;
   if (options.h > 0.0 || (options.order > 0 && options.order < 6)) return;
-  if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < sketch_->time)
+  if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < known_.sketch->time)
     journey.most = std::min(journey.most, its_patience() / journey.candidate->price());
 }
 
@@ -73,18 +74,18 @@ void Orbiter::drop_runs() {
 /// runs agree. The same step in parts shows it, each part as long as all those before it.
 bool Orbiter::passes_over_start(const Journey& run) {
   if (!question_.timed) return false;
-  const State<dynamic>& start = trip_->start;
+  const State<dynamic>& start = known_.trip->start;
   if (rate_ < 0.0) {
-    VectorX slope(2 * field_.size());
-    field_(start, slope);
-    rate_ = field_.rate_in_time(stacked(start), slope);
+    VectorX slope(2 * known_.field.size());
+    known_.field(start, slope);
+    rate_ = known_.field.rate_in_time(stacked(start), slope);
   }
   constexpr double resolved = 10.0;
   const double changes = rate_ * run.h * run.candidate->rate_at(start);
   if (!(changes > resolved)) return false;
   State<dynamic> whole = start, parts = start;
   const auto advance = [&](OrbitSteps& method, State<dynamic>& z, double size) {
-    const StepReport report = method.step(z, sense_ * size);
+    const StepReport report = method.step(z, known_.sense * size);
     budget_.sweeps += report.evaluations;
     return report.ok() && z.finite();
   };
@@ -97,7 +98,7 @@ bool Orbiter::passes_over_start(const Journey& run) {
   const auto in_parts = method();
   for (int k = 0; k <= halves; ++k, size *= k > 1 ? 2.0 : 1.0)
     if (!advance(*in_parts, parts, size)) return false;
-  return (*distance_)(whole, parts, run.ranges) > question_.tolerance;
+  return (*known_.distance)(whole, parts, run.ranges) > question_.tolerance;
 }
 
 /// Makes two runs side by side, from mark to mark. @return true if another setting is to be tried

@@ -26,7 +26,7 @@ OrbitAnswer Orbiter::give_up() {
     return fail(bound_, text.str());
   }
   if (in_the_way_ > 0.0)
-    text << "Runs fail at t = " << question_.t + sense_ * in_the_way_
+    text << "Runs fail at t = " << question_.t + known_.sense * in_the_way_
          << " with every step: the orbit meets a singularity of H "
          << (question_.given >= 0 ? "or of the monitor " : "") << "there, or comes too near one.";
   else
@@ -49,12 +49,12 @@ OrbitAnswer Orbiter::too_far(const char* what, double t, double radians) {
 std::string Orbiter::given_up(const Journey& run) const {
   std::ostringstream text;
   const double reached = std::abs(run.state.t - question_.t);
-  const auto [when, faster] = sketch_->fastest();
+  const auto [when, faster] = known_.sketch->fastest();
   if (dead_end_ > 0.0)
-    text << "The run was given up: from t = " << question_.t + sense_ * dead_end_
+    text << "The run was given up: from t = " << question_.t + known_.sense * dead_end_
          << " on no step is short enough; the orbit meets a singularity of H there, or leaves where H is a "
             "number.";
-  else if (sketch_->stuck && sketch_->samples.empty())
+  else if (known_.sketch->stuck && known_.sketch->samples.empty())
     text << "The end, t = " << question_.t_end
          << ", is over 1e14 times as far as a step from the start may be: a nearer one will do.";
   else if (!(run.h > 0.0) || !std::isfinite(run.h))
@@ -69,11 +69,11 @@ std::string Orbiter::given_up(const Journey& run) const {
          << ", as asked for, it takes over a hundred times the steps that its beginning suggests; where none "
             "is named, one that suits the orbit is chosen.";
   else if (faster > 1e4 && when > reached)
-    text << "The run was given up: near t = " << question_.t + sense_ * when
+    text << "The run was given up: near t = " << question_.t + known_.sense * when
          << " something is so much faster than at the start that H seems to have a singularity there.";
-  else if (static_cast<double>(run.run.steps) < 10.0 * expected_steps(*run.candidate, run.h, reached))
+  else if (static_cast<double>(run.run.steps) < 10.0 * menu_.expected_steps(*run.candidate, run.h, reached))
     text << "The run was given up after " << run.run.steps << " steps: the end is some "
-         << expected_steps(*run.candidate, run.h, span_)
+         << menu_.expected_steps(*run.candidate, run.h, known_.span)
          << " of them away, and no step was found with which the tolerance is kept so far.";
   else
     text << "The run was given up: it takes over a hundred times the steps that its beginning suggests; "
@@ -106,8 +106,8 @@ void Orbiter::tell_work(const Journey& fine) {
 void Orbiter::tell_error(const Journey& fine, double foreseen) {
   // The effect of rounding grows with the phase, and is larger where the motion is fast at the end.
   const double epsilon = std::numeric_limits<double>::epsilon(), of_clock = rounding_of_clock(fine),
-               of_entries = distance_->rounding_of(fine.state, fine.ranges),
-               phase = std::max(radians_, span_ * speed_at(fine.state, fine.ranges));
+               of_entries = known_.distance->rounding_of(fine.state, fine.ranges),
+               phase = std::max(known_.radians, known_.span * speed_at(fine.state, fine.ranges));
   answer_.state_error = foreseen + (fine.candidate->noise + epsilon) * phase + of_clock + of_entries;
   if (of_entries > 10.0 * question_.tolerance)
     answer_.note +=
@@ -141,7 +141,8 @@ void Orbiter::tell_end(const Journey& fine) {
   } else {
     State<dynamic> there = fine.state;
     if (question_.timed)
-      there.q.conservativeResize(field_.size() - 1), there.p.conservativeResize(field_.size() - 1);
+      there.q.conservativeResize(known_.field.size() - 1),
+          there.p.conservativeResize(known_.field.size() - 1);
     const bool unsolved = answer_.run.outcome == Outcome::not_converged;
     answer_.run.message = describe_end(answer_.run.outcome, there, fine.run.steps, 0.0,
                                        fine.crossed ? "a step went over a place where H is infinite"
@@ -158,7 +159,7 @@ void Orbiter::tell_doubts(const Journey& fine, double foreseen) {
   const bool unresolved =
       compared && !steady_ &&
       fine.energy_error > std::max(10.0 * question_.tolerance, 100.0 * answer_.energy_rounding);
-  if (features_->has_kinks() && (seen_.rate > 0.0 || resigned_))
+  if (known_.features->has_kinks() && (seen_.rate > 0.0 || resigned_))
     note += "H has a kink, a jump or a branch, beyond which errors are larger than before. ";
   else if (unresolved)
     note += "Steps do not resolve all of the motion, and much shorter ones were not tried: a monitor that is "
@@ -200,9 +201,9 @@ OrbitAnswer Orbiter::finish() {
   const Journey& fine = *fine_;
   tell_work(fine);
   // The predicted error is at most as large as the motion itself.
-  const double told = parted_
-                          ? seen_.error
-                          : foretold(seen_, since_start(judged_), span_, speed_at(fine.state, fine.ranges)),
+  const double told = parted_ ? seen_.error
+                              : foretold(seen_, since_start(judged_), known_.span,
+                                         speed_at(fine.state, fine.ranges)),
                foreseen = std::min(told, std::max(seen_.furthest, 1.0));
   tell_error(fine, foreseen);
   if (!answer_.ok()) tell_end(fine);
@@ -213,7 +214,7 @@ OrbitAnswer Orbiter::finish() {
   std::copy(fine.state.p.begin(), fine.state.p.end(), answer_.p.begin());
   answer_.t = fine.state.t;
   answer_.prepared =
-      std::make_shared<const Prepared>(Prepared{std::move(field_), fine.candidate->formulas()});
+      std::make_shared<const Prepared>(Prepared{std::move(known_.field), fine.candidate->formulas()});
   return answer_;
 }
 
