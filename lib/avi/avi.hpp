@@ -1,8 +1,7 @@
 #pragma once
 
 /// @file
-/// The whole library: all headers that no other header includes. Including only what is needed compiles
-/// faster.
+/// The whole library. Including only what is needed compiles faster.
 
 #include "avi/autodiff/formula.hpp"
 #include "avi/autodiff/pack.hpp"
@@ -13,7 +12,6 @@
 #include "avi/collocation/collocation.hpp"
 #include "avi/core/any_method.hpp"
 #include "avi/core/at_times.hpp"
-#include "avi/core/dense_output.hpp"
 #include "avi/core/ensemble.hpp"
 #include "avi/core/trajectory.hpp"
 #include "avi/diagnostics/drift.hpp"

@@ -101,9 +101,8 @@ struct SolveMonitor {
 
 /// The phase of a call of solve().
 enum class SolvePhase {
-  choosing,  ///< Choosing monitor, order and step; where runs are compared, the comparison included.
-  running,   ///< The run whose states are delivered.
-  checking   ///< A second run with a longer step, which estimates the error of the first one.
+  choosing,  ///< Choosing monitor, order and step; the two runs that are compared are part of this.
+  running    ///< The run whose states are delivered, where output along the orbit was asked for.
 };
 
 /// How far a call of solve() has come, for SolveOptions::progress.
@@ -418,13 +417,13 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// place divided by the tolerance. SolutionReport::state_error is the error achieved: the difference from a
 /// second run with a longer step, reduced according to the order. In runs of up to 300 steps a third run
 /// confirms it, unless it is far below the tolerance. Runs of more than about sixty revolutions take their
-/// step from the errors in the first sixteenth; these grow linearly in time where motion is regular. Without
+/// step from the errors on the first few; these grow linearly in time where motion is regular. Without
 /// SolveOptions::check that is all there is of the second run: the cost is halved, but chaos that begins
 /// later is missed. Where the motion does not allow the tolerance (chaos, rounding, a wall thinner than a
 /// step), kept() is false and report() says why.
 ///
 /// The method is Gauss collocation with constant steps in the fictive time of one of these monitors. It is
-/// symplectic except for the last step, which is shortened to end at t_end:
+/// symplectic except where a step is cut: the last one, at t_end, and those at kinks and switches of H:
 ///
 /// | name | g |
 /// | --- | --- |

@@ -11,7 +11,7 @@ using namespace combinations;
 
 TEST(CollocationCombinations, AutonomousProblems) {
   const auto check_one = [](const char* name, const auto& problem, const auto& from) {
-    check(name, avi::collocation<8>(problem, 6), from, 0.2, 1e-5, 1e-3);
+    check(name, avi::collocation<8>(problem, 6), from, 0.2, 1e-5);
   };
   check_one("no monitor", avi::poincare(Quartic{}, start), start);
   check_one("g(q)", avi::poincare(Quartic{}, start, of_q), start);
@@ -22,7 +22,7 @@ TEST(CollocationCombinations, AutonomousProblems) {
 
 TEST(CollocationCombinations, ProblemsInTime) {
   const auto check_one = [](const char* name, const auto& problem) {
-    check(name, avi::collocation<8>(problem, 6), extended(problem, start), 0.2, 1e-5, 1e-3);
+    check(name, avi::collocation<8>(problem, 6), extended(problem, start), 0.2, 1e-5);
   };
   check_one("no monitor", avi::time_dependent(QuarticInTime{}, start));
   check_one("g(q)", avi::time_dependent(QuarticInTime{}, start, of_q));

@@ -1,6 +1,5 @@
 #pragma once
 #include "avi/core/at_times.hpp"
-#include "avi/core/dense_output.hpp"
 #include "avi/core/integrate_to.hpp"
 #include "avi/core/trajectory.hpp"
 #include "avi/transform/time_dependent.hpp"
@@ -18,7 +17,7 @@
 #include <vector>
 
 // Every method x problem (autonomous, of time) x monitor (none, g(q), g(q, p), time in it) x what is done
-// with a run: passing a time, landing on it, output at times, events, dense output, a stored trajectory, and
+// with a run: passing a time, landing on it, output at times, events, a stored trajectory, and
 // the same backwards - each against GSL's rk8pd at a tolerance of 1e-13 in physical time, which knows of no
 // monitor.
 //
@@ -26,7 +25,6 @@
 //   a monitor of time with an autonomous problem        monitor_of_time.cpp
 //   Euler-B with a monitor of p                          euler_b_with_monitor_of_momentum.cpp
 //   splittings and Stormer-Verlet of a problem of time   splitting_of_time.cpp
-//   dense output of a method without a polynomial        dense_output_of_verlet.cpp
 //   Euler-B at a dimension known at run time only        euler_b_of_run_time_dimension.cpp
 //   HTVI at such a dimension                             htvi_of_run_time_dimension.cpp
 // Monitors belong to HTVI, collocation, Euler-B and the two controlled methods; the logarithmic Hamiltonian
@@ -144,13 +142,12 @@ double error(const State<n>& z, bool of_time) {
 /// The largest errors of all that can be done with a run.
 struct Worst {
   double state = 0.0;   ///< Of every state that a run shows or ends with, and of the times of events.
-  double inside = 0.0;  ///< Of dense output.
   double stored = 0.0;  ///< Of a stored trajectory between its states.
 };
 
-/// A method behind a type that knows only whether it has a polynomial and a memory: what is done with runs is
-/// compiled once for all of them.
-template <int n, bool dense, bool without_memory>
+/// A method behind a type that knows only whether it has a memory: what is done with runs is compiled once
+/// for all of them.
+template <int n, bool without_memory>
 class Erased {
  public:
   static constexpr bool one_step = without_memory;
@@ -161,9 +158,6 @@ class Erased {
   Erased(const Erased& other) : held_(other.held_->copy()) {}
   Erased& operator=(Erased other) { return held_.swap(other.held_), *this; }
   avi::StepReport step(State<n>& z, double h) { return held_->step(z, h); }
-  [[nodiscard]] State<n> polynomial(double c, double t) const requires dense {
-    return held_->polynomial(c, t);
-  }
   /// Of a problem of time, which sets the time among its coordinates.
   [[nodiscard]] const Erased& problem() const requires(n == 2) { return *this; }
   void set_time(State<n>& z, double t) const requires(n == 2) { held_->set_time(z, t); }
@@ -173,7 +167,6 @@ class Erased {
     virtual ~Base() = default;
     [[nodiscard]] virtual std::unique_ptr<Base> copy() const = 0;
     virtual avi::StepReport step(State<n>& z, double h) = 0;
-    [[nodiscard]] virtual State<n> polynomial(double c, double t) const = 0;
     virtual void set_time(State<n>& z, double t) const = 0;
   };
   template <class M>
@@ -181,12 +174,6 @@ class Erased {
     explicit Held(M its) : method(std::move(its)) {}
     [[nodiscard]] std::unique_ptr<Base> copy() const override { return std::make_unique<Held>(method); }
     avi::StepReport step(State<n>& z, double h) override { return method.step(z, h); }
-    [[nodiscard]] State<n> polynomial([[maybe_unused]] double c, [[maybe_unused]] double t) const override {
-      if constexpr (dense)
-        return method.polynomial(c, t);
-      else
-        return {};
-    }
     void set_time(State<n>& z, double t) const override {
       if constexpr (n == 2)
         method.problem().set_time(z, t);
@@ -214,16 +201,8 @@ Worst use(const M& method, const State<n>& z0, double h) {
   };
   const avi::Event turning{[](const State<n>& z) { return z.p[0]; }};
 
-  // Passing a time; on the way dense output, a stored trajectory, output at times and events.
+  // Passing a time; on the way a stored trajectory, output at times and events.
   avi::Trajectory<n> path;
-  const auto look_inside = [&]<class N>(const avi::Step<N, State<n>>& taken, long) {
-    if constexpr (requires { taken.method.polynomial(0.5, 0.0); }) {
-      const double t = taken.before.t + 0.3 * (taken.after.t - taken.before.t);
-      const auto z = avi::dense_output(taken, t);
-      EXPECT_EQ(z.t, t);
-      worst.inside = std::max(worst.inside, error(z, of_time));
-    }
-  };
   std::vector<double> times;
   for (int k = 0; k <= 10; ++k)
     times.push_back(start.t + sense * 0.79 * k);
@@ -238,9 +217,8 @@ Worst use(const M& method, const State<n>& z0, double h) {
     EXPECT_LT(std::abs(z.p[0]), 1e-15);
     note(z);
   });
-  const State<n> passed = carry_out([&](M& m, State<n>& z) {
-    return avi::integrate(m, z, h, {.time = end}, path, look_inside, grid, watch);
-  });
+  const State<n> passed =
+      carry_out([&](M& m, State<n>& z) { return avi::integrate(m, z, h, {.time = end}, path, grid, watch); });
   EXPECT_GE(sense * passed.t, sense * end);
   EXPECT_EQ(shown, times.size());
   EXPECT_EQ(turns, turns_until(plain(passed).t, of_time));
@@ -254,17 +232,14 @@ Worst use(const M& method, const State<n>& z0, double h) {
   return worst;
 }
 
-/// @param bound on the errors of states @param inside on those of dense output
+/// @param bound on the errors of states
 template <class M, int n>
-void check(const char* name, const M& its, const State<n>& z0, double step, double bound,
-           double inside = 0.0) {
-  constexpr bool dense = requires { its.polynomial(0.5, 0.0); };
-  const Erased<n, dense, avi::detail::one_step<M>> method(its);
+void check(const char* name, const M& its, const State<n>& z0, double step, double bound) {
+  const Erased<n, avi::detail::one_step<M>> method(its);
   for (const double h : {step, -step}) {
     SCOPED_TRACE(std::string(name) + (h > 0.0 ? "" : ", backwards"));
     const Worst worst = use(method, z0, h);
     EXPECT_LT(worst.state, bound);
-    EXPECT_LE(worst.inside, inside);
     EXPECT_LT(worst.stored, 1.1 * bound + 1e-5) << "eight states to a polynomial";
   }
 }

@@ -244,30 +244,4 @@ TEST(Landing, InsideAStepOnly) {
   }
 }
 
-/// Dense output in the middle of every step, the shorter last one included.
-template <class M>
-double inside(M method, const auto& end) {
-  State<2> z = Kepler::pericentre(0.3);
-  double worst = 0.0;
-  const auto run = end(method, z, [&]<class N>(const avi::Step<N, State<2>>& step, long) {
-    const double t = 0.5 * (step.before.t + step.after.t);
-    worst = std::max(worst, (avi::dense_output(step, t).q - Kepler::exact(0.3, t).q).norm());
-  });
-  EXPECT_TRUE(run.ok()) << run.message;
-  return worst;
-}
-
-TEST(Landing, HasDenseOutputOfTheStepThatWasCut) {
-  const auto problem = avi::poincare<2>(Kepler{}, Kepler::pericentre(0.3), avi::NormSquared{});
-  const Event apse{[](const State<2>& at) { return at.q.dot(at.p); }, Crossing::falling};
-  const auto at_time = [](auto& m, auto& z, auto look) { return avi::integrate_to(m, z, 0.3, 2.0, look); };
-  const auto at_event = [&](auto& m, auto& z, auto look) {
-    return avi::integrate_to(m, z, 0.3, apse, {.time = 5.0}, look);
-  };
-  EXPECT_LT(inside(avi::collocation(problem, 16), at_time), 4e-13);  // measured 1.8e-13
-  EXPECT_LT(inside(avi::collocation(problem, 16), at_event), 2e-12);
-  EXPECT_LT(inside(avi::htvi<16>(problem), at_time), 4e-8);     // measured 2e-8
-  EXPECT_LT(inside(avi::htvi<16>(problem), at_event), 1.1e-7);  // measured 5.5e-8, at apocentre
-}
-
 }  // namespace events_test

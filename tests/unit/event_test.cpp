@@ -79,7 +79,8 @@ TEST(Event, AtTheEndOfAStepIsFoundWithoutAnother) {
   auto method = method_for(before);
   ASSERT_EQ(method.step(after, 0.2).outcome, avi::Outcome::ok);
   const avi::Step<decltype(method), State<2>> step{method, before, after, 0.2};
-  const auto found = step.locate([&](const State<2>& z) { return z.t - after.t; });
+  const auto found = step.locate(
+      0.0, before.t - after.t, [&](const State<2>& z) { return z.t - after.t; }, 0.0);
   EXPECT_EQ(found.evaluations, 0);
   EXPECT_TRUE(found.state == after && found.h == 0.2);
 }

@@ -37,14 +37,31 @@ enum class Operation : std::uint8_t {
 /// @cond
 namespace detail {
 
-/// The name of an operation, its number of operand nodes in a graph (-1: any number), and whether it is an
-/// elementary function of the table.
+namespace shapes {
+/// What a function f of one number a does, apart from its value and slope.
+enum Shape : unsigned {
+  plain = 0,
+  vanishes = 1,  ///< f vanishes as a does.
+  turns = 2,     ///< f is of another form for |a| < 1 than beyond, and its singularities lie beside a = 0.
+  positive = 4,  ///< f > 0.
+  abrupt = 8,    ///< f, or its slope, changes exponentially fast on both sides of a = 0.
+  kinked = 16    ///< f has a kink or a jump.
+};
+}  // namespace shapes
+
+/// The name of an operation, its number of operand nodes in a graph (-1: any number), whether it is an
+/// elementary function of the table, and its shapes.
 struct OperationFacts {
   const char* name;
   int operands;
   bool is_function = false;
+  unsigned shape = shapes::plain;
 };
-#define AVI_ONE(row, ...) {#row, 1, true},
+#define AVI_ONE(row, pack, shape, ...)                                                                       \
+  {#row, 1, true, [] {                                                                                       \
+     using namespace shapes;                                                                                 \
+     return unsigned{shape};                                                                                 \
+   }()},
 #define AVI_TWO(row, ...) {#row, 2, true},
 inline constexpr OperationFacts facts_of_operations[] = {
     {"input", 0},
@@ -55,7 +72,7 @@ inline constexpr OperationFacts facts_of_operations[] = {
     {"divide", 2},
     {"power", 2},
     AVI_FUNCTIONS(AVI_ONE, AVI_TWO)  // in the order of the enum
-    {"sign", 1},
+    {"sign", 1, false, shapes::kinked},
     {"less", 2},
     {"less_equal", 2},
     {"when", 2},
@@ -72,6 +89,9 @@ constexpr const OperationFacts& facts_of(Operation operation) {
 constexpr const char* name(Operation operation) { return facts_of(operation).name; }
 constexpr int operands(Operation operation) { return facts_of(operation).operands; }
 constexpr bool is_function(Operation operation) { return facts_of(operation).is_function; }
+constexpr bool has(Operation operation, shapes::Shape shape) {
+  return (facts_of(operation).shape & shape) != 0;
+}
 
 /// For a function that packs evaluate number by number, its function of <cmath>, such as std::tan for
 /// Operation::tan. Returns nothing for all other operations.
@@ -142,7 +162,7 @@ S apply(const S& a, [[maybe_unused]] const S& b) {
   } else if constexpr (operation == Op::when) {
     return when(a, b);
   } else {
-    static_assert(operation == Op::nothing, "This operation says nowhere what it computes.");
+    static_assert(operation == Op::nothing, "The value of this operation is not defined above.");
     return a;
   }
 }

@@ -35,7 +35,7 @@ template <class R>
 inline namespace AVI_INSTRUCTIONS {
 /// @endcond
 
-/// w doubles, w = 2, 4, 8, 16 or 32, as one scalar. Every operation applies to each of them: with vector
+/// w doubles, w = 2, 4, 8 or 16, as one scalar. Every operation applies to each of them: with vector
 /// instructions where the machine has them, otherwise with the same bits. A formula that is generic in its
 /// scalar is thus evaluated at w points for little more than the cost of one. It cannot branch on a value,
 /// because the w values may need different branches; the result of a comparison can only be used in select().

@@ -92,7 +92,7 @@ S slope_of_power(const S& a, const S& b) {
   // below 2^-1022, 1 / a may be infinite
   return when(less(S(0x1p-1022), abs(a) + abs(b)), b * pow(a, b - 1.0));
 }
-#define AVI_ONE(name, pack, slope)                                                                           \
+#define AVI_ONE(name, pack, shape, slope)                                                                    \
   template <class S>                                                                                         \
   S slope_of_##name([[maybe_unused]] const S& a, [[maybe_unused]] const S& f) {                              \
     return slope;                                                                                            \

@@ -59,8 +59,8 @@ class Collocation {
   /// The problem that is integrated.
   [[nodiscard]] const Problem& problem() const { return problem_; }
 
-  /// The collocation polynomial of the last step at the fraction c in [0, 1], for dense_output(). It has
-  /// degree s, with error O(h^(s+1)) inside the step and O(h^(2s+1)) at its ends.
+  /// The collocation polynomial of the last step at the fraction c in [0, 1]. It has degree s, with error
+  /// O(h^(s+1)) inside the step and O(h^(2s+1)) at its ends.
   [[nodiscard]] State<n> polynomial(double c, double) const {
     return with(steps_, [&](const auto& steps) { return steps.polynomial(c); });
   }

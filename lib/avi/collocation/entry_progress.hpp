@@ -42,8 +42,8 @@ class EntryProgress {
     small_ = hidden_ = true;
     const bool anew = looks_ % window == 0;
     ++looks_;
-    compare(old.q, step.q, step.per.q, q_, anew);
-    compare(old.p, step.p, step.per.p, p_, anew);
+    compare(old.q, step.q, step.per.q, q_, anew, rests(old.p, step.p));
+    compare(old.p, step.p, step.per.p, p_, anew, rests(old.q, step.q));
     idle_ = improves_ ? 0 : idle_ + 1;
     least_change_ = std::min(least_change_, change_);
   }
@@ -52,7 +52,8 @@ class EntryProgress {
   [[nodiscard]] double change() const { return change_; }
   /// True where every entry has converged, or where none has improved for `looks` looks and the remaining
   /// changes are noise. Noise is small in the entry's own scale. Or, if `hidden`, it is small beside the
-  /// largest entry and has not grown for six looks; sweeps that hardly contract look like this too.
+  /// largest entry, or of momenta while positions change in their last digits only, or the other way round,
+  /// and has not grown for six looks; sweeps that hardly contract look like this too.
   /// @param looks number of looks without improvement @param hidden accept this second kind: there is no
   /// better way to solve the step
   [[nodiscard]] bool settled(int looks, bool hidden) const {
@@ -75,7 +76,15 @@ class EntryProgress {
     }
     Vector<double, n> least, recent, former;
   };
-  void compare(const Vec& old, const Vec& now, const Vector<double, n>& per, Record& record, bool anew) {
+  /// True where entries change by rounding of their own size only, at most. Changes of what depends on them
+  /// are then rounding, too, as of a stiff force near its zero.
+  static bool rests(const Vec& old, const Vec& now) {
+    for (Eigen::Index i = 0; i < now.size(); ++i)
+      if (!(largest(Pack<w>(now[i] - old[i])) <= 4.0 * epsilon * largest(now[i]))) return false;
+    return true;
+  }
+  void compare(const Vec& old, const Vec& now, const Vector<double, n>& per, Record& record, bool anew,
+               bool others_rest) {
     const double of_largest = EntryScales<n>::of_largest(per);
     const bool complete = looks_ >= 2 * window && looks_ % window == 0;
     for (Eigen::Index i = 0; i < now.size(); ++i) {
@@ -88,7 +97,8 @@ class EntryProgress {
         improves_ = improves_ || moved <= 0.5 * record.least[i];
         const bool steady = complete && record.recent[i] <= 1.5 * record.former[i];
         small_ = small_ && own <= most_noise_;
-        hidden_ = hidden_ && (own <= most_noise_ || (beside <= 1e3 * epsilon && steady));
+        const bool beneath = beside <= 1e3 * epsilon || (others_rest && own <= 1e-3);
+        hidden_ = hidden_ && (own <= most_noise_ || (beneath && steady));
       }
       record.least[i] = std::min(record.least[i], moved);
     }

@@ -73,8 +73,8 @@ class GaussRule {
 
 /// Settings of the iteration for the stages: when a step counts as solved.
 struct SweepSettings {
-  /// Relative change that one more sweep would make, in the scale of each entry (see EntryScales). With 1e-17
-  /// instead, the energy drifts by 3e-14 in 10 000 periods.
+  /// Relative change that one more sweep would make, in the scale of each entry (see EntryScales). The
+  /// default leaves only rounding.
   double tolerance = 6.25e-19;
   int max_sweeps = 100;  ///< After this many, the step ends as Outcome::not_converged.
 };

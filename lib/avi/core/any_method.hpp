@@ -13,8 +13,7 @@ namespace avi {
 /// Any Method for states with n degrees of freedom, behind one type. It serves methods that are chosen at run
 /// time, and code that is compiled once for all methods. Its steps equal those of the method inside to the
 /// bit. A call of step() costs one extra indirect call; integrate() without observers runs in a loop compiled
-/// for the method inside. It has no polynomial and no order: dense_output() and Composition take the method
-/// itself.
+/// for the method inside. It has no order: Composition takes the method itself.
 template <int n>
 class AnyMethod {
  public:
@@ -51,7 +50,7 @@ class AnyMethod {
    private:
     const Base& method_;
   };
-  /// What runs ask the problem inside for.
+  /// The clock of the problem inside, for runs.
   [[nodiscard]] Clock problem() const { return Clock(*held_); }
 
  private:

@@ -97,7 +97,7 @@ class EventWatch {
     }
     if (leaving_ || begin == 0.0) return leave(step, end);
     if (!event_.crosses(begin, end)) return {};
-    return step.locate_from(0.0, begin, event_.g, event_.tolerance);
+    return step.locate(0.0, begin, event_.g, event_.tolerance);
   }
 
  private:
@@ -116,7 +116,7 @@ class EventWatch {
       const double g = event_.g(near.state);
       if (!(std::abs(g) > level_)) continue;
       if (!event_.crosses(g, end)) return {};
-      Located<State> there = step.locate_from(fraction, g, event_.g, event_.tolerance);
+      Located<State> there = step.locate(fraction, g, event_.g, event_.tolerance);
       there.evaluations += evaluations;
       return there;
     }

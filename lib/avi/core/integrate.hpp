@@ -17,7 +17,7 @@
 #include <vector>
 
 /// @file
-/// integrate(): the only time loop of the library.
+/// integrate(): the loop over the steps of any method.
 
 namespace avi {
 

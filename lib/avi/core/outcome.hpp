@@ -37,7 +37,7 @@ constexpr std::string_view name(Outcome outcome) {
   return names[static_cast<int>(outcome)];
 }
 
-/// What a step reports to the loop of a run.
+/// The report of a step to the loop of a run.
 struct [[nodiscard]] StepReport {
   Outcome outcome = Outcome::ok;  ///< If not ok, the state is unchanged.
   /// Evaluations of the vector field or of its Taylor expansion. An evaluation that ends a step and is
@@ -52,7 +52,7 @@ struct [[nodiscard]] StepReport {
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
 
-/// What an observer returns: how the run is to end, unless ok, and why.
+/// The answer of an observer: how the run is to end, unless ok, and why.
 struct [[nodiscard]] Answer {
   Outcome outcome = Outcome::ok;  ///< If not ok, the run ends.
   std::string reason{};           ///< A clause for the message of the run, such as "g is nan".
@@ -61,7 +61,7 @@ struct [[nodiscard]] Answer {
   [[nodiscard]] bool ok() const { return outcome == Outcome::ok; }
 };
 
-/// What a run reports to its caller.
+/// The report of a run to its caller.
 struct [[nodiscard]] Run {
   Outcome outcome = Outcome::ok;  ///< ok where the run reached its end.
   long steps = 0;                 ///< Accepted steps.

@@ -29,7 +29,7 @@ inline constexpr bool one_step<M> = M::one_step;
 /// A state found inside a step, and how it was found.
 template <class State>
 struct Located {
-  State state;           ///< The state at the zero.
+  State state;           ///< The state at the zero, or at the time or part that was asked for.
   double h = 0.0;        ///< Size of the step that leads there from the beginning of the whole step.
   StepReport report{};   ///< Report of that step; unless it is ok, `state` is meaningless.
   long evaluations = 0;  ///< Evaluations in all steps that were tried.
@@ -91,25 +91,20 @@ struct Step {
   const State& after;   ///< State at the end of the step.
   double h;             ///< Size of the step, in fictive time where the method is adaptive.
 
-  /// The state inside the step where f(state) = 0. A copy of the method repeats the step with smaller sizes
-  /// until f vanishes to round-off, so the state is as accurate as the ends of the step, and the run is not
-  /// affected. This takes 5 to 10 steps. f(before) and f(after) must have different signs, or f(after) must
-  /// be zero; of several zeros one is found. The state lies on the zero or beyond it, where f has the sign of
-  /// f(after), so that a search that continues from there does not find the same zero again.
+  /// The state where f(state) = 0 in the rest of the step after its fraction `begin`, in [0, 1), where f has
+  /// the value f_begin. A copy of the method repeats the step with smaller sizes until f vanishes to
+  /// rounding, so the state is as accurate as the ends of the step, and the run is not affected. This takes 5
+  /// to 10 steps. f_begin and f(after) must have different signs, or f(after) must be zero; of several zeros
+  /// one is found. The state lies on the zero or beyond it, where f has the sign of f(after), so that a
+  /// search that continues from there does not find the same zero again.
   ///
   /// If f changes sign by a jump or a pole instead of a zero, the result is not_converged; if f is NaN,
   /// non_finite. `reason` then contains the numbers.
-  /// @param f continuous function of the state @param tolerance |f| that counts as zero; 0 for round-off
+  /// @param f continuous function of the state @param tolerance |f| that counts as zero; 0 for rounding
   /// @throws std::invalid_argument for a tolerance that is negative, infinite or NaN, and where f has the
   /// same sign at both ends.
   template <class F>
-  [[nodiscard]] Located<State> locate(F&& f, double tolerance = 0.0) const {
-    return locate_from(0.0, f(before), f, tolerance);
-  }
-
-  /// The same in the rest of the step after the fraction `begin`, in [0, 1), where f has the value f_begin.
-  template <class F>
-  [[nodiscard]] Located<State> locate_from(double begin, double f_begin, F&& f, double tolerance) const {
+  [[nodiscard]] Located<State> locate(double begin, double f_begin, F&& f, double tolerance) const {
     require(std::isfinite(tolerance) && tolerance >= 0.0, "Tolerance of the zero", tolerance,
             "finite and not negative");
     return search(begin, f_begin, f, tolerance, Side::beyond);

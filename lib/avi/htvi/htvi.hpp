@@ -129,10 +129,6 @@ class Htvi {
 
   [[nodiscard]] const Problem& problem() const { return expansion_.problem(); }  ///< The problem.
 
-  /// The trial curve of the last step at the fraction c in [0, 1], starting from its expansion point.
-  /// @param t0 physical time at the beginning of the step
-  [[nodiscard]] State<n> polynomial(double c, double t0) const { return expansion_.polynomial(c, t0); }
-
  private:
   static constexpr bool right = type == Generating::type2;
   using Expansion = TaylorExpansion<Problem, r, Construction>;

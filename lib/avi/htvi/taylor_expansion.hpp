@@ -108,17 +108,6 @@ class TaylorExpansion {
     return sum;
   }
 
-  /// The Taylor polynomial of the last expansion at the fraction c of the step; positions up to order r + 1.
-  [[nodiscard]] State<n> polynomial(double c, double t0) const {
-    State<n> z;
-    for (int i = 0; i < n; ++i) {
-      z.q[i] = (q()[i][0] + c * tail(q()[i], order() + 1, c)).value();
-      z.p[i] = (p()[i][0] + c * tail(p()[i], order(), c)).value();
-    }
-    z.t = problem_.clock(z.q, t0 + c * tail(t_.data(), order() + 1, c).value());
-    return z;
-  }
-
  private:
   /// The recorded field and the positions of its outputs in the series.
   struct RecordedField {

@@ -20,7 +20,8 @@ class StartingPoint {
  public:
   StartingPoint(const VectorX& x) : x_(&x) {}                                     ///< Refers to x.
   StartingPoint(std::initializer_list<double> x) { copy({x.begin(), x.end()}); }  ///< The numbers in braces.
-  /// From any other type. @throws std::invalid_argument for a matrix that does not have exactly one column.
+  /// The numbers of any other type. @throws std::invalid_argument for a matrix that does not have exactly one
+  /// column.
   template <class T>
   requires(!std::same_as<T, StartingPoint>) StartingPoint(const T& x) {
     if constexpr (std::is_base_of_v<Eigen::EigenBase<T>, T>) {

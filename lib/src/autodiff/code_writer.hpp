@@ -13,7 +13,7 @@
 #include <vector>
 
 /// @file
-/// From a straight line of operations to instructions: the choice of registers for values.
+/// The instructions for a straight line of operations, with registers chosen for values.
 
 namespace avi::detail {
 

@@ -87,4 +87,11 @@ class Factor {
   }
 };
 
+/// The length of which u is a power of this degree, \f$|u|^{1/d}\f$; u of degree 2 is taken as positive.
+inline Factor length_from(const Factor& u, double degree) {
+  if (degree == 2.0) return sqrt(u);
+  if (degree == 1.0) return abs(u);
+  return {*u.graph, u.graph->power(abs(u).in(*u.graph), 1.0 / degree)};
+}
+
 }  // namespace avi::detail

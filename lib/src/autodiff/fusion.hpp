@@ -8,8 +8,8 @@
 #include <vector>
 
 /// @file
-/// From nodes of a graph to lines of a program: nodes that are not needed are dropped, and products are
-/// joined with the sums that use them.
+/// The lines of a program, made from the nodes of a graph: nodes that are not needed are dropped, and
+/// products are joined with the sums that use them.
 
 namespace avi::detail {
 

@@ -60,8 +60,8 @@ class RoundedFormula {
       last = Moved::variable(last.value, 0, last.partial(0) + own);
     }
   }
-  /// What rounding took from the result of a node: for arithmetic and roots, to the last bit or nearly so
-  /// (Knuth 1969, Dekker 1971); for all else, to the digits of a long double.
+  /// The part of a node's result that rounding took away: for arithmetic and roots, to the last bit or nearly
+  /// so (Knuth 1969, Dekker 1971); for all else, to the digits of a long double.
   [[nodiscard]] double error_of(int node) const {
     const ExpressionGraph::Node& what = graph_[node];
     if (node < graph_.inputs() || what.operation == Operation::constant) return 0.0;

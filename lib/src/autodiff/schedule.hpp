@@ -12,7 +12,7 @@
 #include <vector>
 
 /// @file
-/// From a graph to a program: the order of operations, and the slots of results.
+/// The order in which a program computes the nodes of a graph, and the slots of their results.
 
 namespace avi::detail {
 

@@ -87,7 +87,9 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
     furthest_ = std::max(furthest_, reached);
     if (again) repeated_ = std::min(repeated_, reached);
   }
-  if (stopped ? it.failures == 0 && menu_.has_a_choice() : !again) look_from(journey.state);
+  // A step that was too long, as one into a wall, may end on an orbit of another energy, which shows nothing.
+  const bool elsewhere = !again && journey.energy_error > 10.0;
+  if ((stopped ? it.failures == 0 && menu_.has_a_choice() : !again) && !elsewhere) look_from(journey.state);
   // Runs with two monitors stall at the same time: the orbit ends there.
   if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
   failed_at_ = reached, failed_with_ = &it;
@@ -96,7 +98,7 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
   it.failures += undefined ? 2 : 1;
   // A run may be caught where the monitor is small, by a step whose energy errs.
   const bool astray = it.failures > 1 && journey.energy_error > 0.01;
-  if (!stopped || astray) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
+  if (!stopped || astray || elsewhere) it.below = setting.h * (it.failures > 2 ? 0.25 : 0.5);
 }
 
 /// The candidate with the least expected work, with steps that have not failed; null if all are hopeless. If

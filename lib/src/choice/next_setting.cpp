@@ -21,7 +21,9 @@ bool sweeps_leave_more(const Journey& run) {
 /// of |p q'| is the unit of energy errors. Then the mean up to this mark becomes the unit.
 void Orbiter::look_at_work(std::size_t mark) {
   const double mean = fine_->work / since_start(mark), unit = known_.trip->energy_scale;
-  if (!(mean > unit) || !std::isfinite(mean)) return;
+  // A run whose steps are too long for the later motion may run away.
+  const double apart = coarse_->work / fine_->work;
+  if (!(mean > unit) || !std::isfinite(mean) || !(apart > 0.5 && apart < 2.0)) return;
   known_.take_unit_of_energy(mean);
   coarse_->energy_error *= unit / mean, fine_->energy_error *= unit / mean;
 }
@@ -103,7 +105,13 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
   // Errors set by rounding go up and down, so a pair that does not improve on the best one is in vain.
   // Without a check, a prediction stands for the whole run, and each pair is compared with the one before.
-  const bool in_vain = mark <= before_at_ && error > 0.3 * before_;
+  // While energy errors near the tolerance still fall fast, steps do not resolve the motion yet.
+  const bool resolving = errors.of_energy > 0.01 && fine_->energy_error < 0.1 * coarse_->energy_error;
+  // At a saddle, runs are wholly apart until the error of the energy is less than what is left of it there.
+  const double of_run = errors.hidden ? infinity : fine_->energy_error;
+  const bool nearer = lost_ && of_run < 0.1 * energy_before_;
+  energy_before_ = of_run;
+  const bool in_vain = mark <= before_at_ && error > 0.3 * before_ && !resolving && !nearer;
   // Beyond a kink, errors fall slowly and by chance: steps could be shortened without end.
   const bool endless = known_.features->has_kinks() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {
@@ -112,7 +120,8 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
     // A prediction may be wrong as long as it has not come true.
     const bool beyond = fine_->h * std::max(factor, 0.35) < resolved_ / 3.0 ||
                         (factor < 0.25 && fine_->h <= 1.05 * resolved_);
-    // Go on then, and do not count the pair: what a mark on the way predicts says nothing about a later one.
+    // If so, the pair goes on to the next mark instead: its error here is small, and only a prediction says
+    // otherwise.
     if (resolved_ > 0.0 && beyond && seen_.error <= question_.tolerance && !last) return false;
     vain_ = in_vain ? vain_ + 1 : 0;
     const bool lost = errors.hidden && last && mark > 0 && !(seen_.error < 1e-3) && !(fine_->h > resolved_);

@@ -56,7 +56,7 @@ struct ErrorsAtMark {
   bool steady;                 ///< Whether the energy error does not fall with the step, for no known reason.
 };
 
-/// Smallest energy error that cannot be rounding of H, unless the terms of H are far larger than H.
+/// Largest energy error that rounding of H may explain, unless the terms of H are far larger than H.
 inline constexpr double most_rounding = 1e-6;
 
 /// Time in nanoseconds, as estimated by Candidate::price(), that may be spent in vain: on runs that fail, or
@@ -196,6 +196,7 @@ class Orbiter {
   // Settings so far.
   double before_ = infinity;  // error predicted from the best of the last pairs of runs, and its mark
   std::size_t before_at_ = 0;
+  double energy_before_ = infinity;      // energy error of the last pair, unless rounding hides it
   int vain_ = 0;                         // pairs in a row that did not improve on the best one
   int lengthened_ = 0;                   // how often a step was made longer
   Candidate* lengthened_for_ = nullptr;  // candidate whose step was made longer last

@@ -17,9 +17,8 @@ namespace avi::detail {
 
 double energy_at_start(const OrbitQuestion& question) {
   if (question.timed) return 0.0 * question.p.back();  // H + p_t
-  std::vector<double> start = question.q;
-  start.insert(start.end(), question.p.begin(), question.p.end());
-  return RoundedFormula(question.graph, question.energy).rounded_once(start);
+  const VectorX start = stacked_start(question);
+  return RoundedFormula(question.graph, question.energy).rounded_once({start.begin(), start.end()});
 }
 
 void require_energy(double energy, const OrbitQuestion& question) {
@@ -50,9 +49,8 @@ bool Overview::late() const {
 
 void Overview::make(bool closely) {
   const int n = field.size();
-  VectorX start(2 * n), slope(2 * n);
-  std::copy(question_.q.begin(), question_.q.end(), start.data());
-  std::copy(question_.p.begin(), question_.p.end(), start.data() + n);
+  const VectorX start = stacked_start(question_);
+  VectorX slope(2 * n);
   const double energy = energy_and_slope(start, slope);
   metric = field.metric(start);
   // Time as a coordinate and its momentum are auxiliary: their errors do not count.

@@ -54,7 +54,8 @@ class Pauses {
 
   /// Begins with no pause. @param ranges those of the 2n entries of (q, p), as far as they are known before
   /// @param seen number of first coordinates and momenta that count
-  explicit Pauses(VectorX ranges, Eigen::Index seen) : ranges_(std::move(ranges)), seen_(seen) {}
+  explicit Pauses(VectorX ranges, Eigen::Index seen)
+      : ranges_(std::move(ranges)), seen_(seen), largest_(VectorX::Zero(ranges_.size())) {}
 
   /// Takes in a step between two states. @param low,high ranges of the entries of (q, p) so far @param error
   /// energy error after it, 0 where rounding of H hides it @param slope called for the slope of (q, p) after
@@ -64,14 +65,18 @@ class Pauses {
            double error, Slope&& slope) {
     const Eigen::Index n = before.q.size();
     const double step = std::abs(after.t - before.t), middle = 0.5 * (before.t + after.t);
-    double speed = 0.0;
+    double speed = 0.0, of_largest = 0.0;
     const auto look = [&](Eigen::Index i, double change) {
       const double range = std::max(high[i] - low[i], ranges_[i]);
       if (range > 0.0) speed = std::max(speed, std::abs(change) / range);
     };
+    const auto compare = [&](Eigen::Index i, double change) {
+      largest_[i] = std::max(largest_[i], std::abs(change) / step);
+      if (largest_[i] > 0.0) of_largest = std::max(of_largest, std::abs(change) / step / largest_[i]);
+    };
     for (Eigen::Index i = 0; i < seen_; ++i) {
-      look(i, after.q[i] - before.q[i]);
-      look(n + i, after.p[i] - before.p[i]);
+      look(i, after.q[i] - before.q[i]), compare(i, after.q[i] - before.q[i]);
+      look(n + i, after.p[i] - before.p[i]), compare(n + i, after.p[i] - before.p[i]);
     }
     speed /= step;
     // A motion that turns by a half in each step comes back to where it was, yet it is fast at both ends.
@@ -85,6 +90,9 @@ class Pauses {
     } else {
       was_fast_ = true;
     }
+    // The angle of a rotor takes on an ever larger range, of which it covers little between two kicks. At a
+    // saddle, the one coordinate is slow in comparison with itself, too.
+    if (seen_ == 1) speed = std::max(speed, of_largest * fastest_);
     const double part = fastest_ > 0.0 ? speed / fastest_ : 1.0;
     if (pauses_ && part > 0.3) {
       pauses_ = false;
@@ -129,6 +137,7 @@ class Pauses {
  private:
   VectorX ranges_;
   Eigen::Index seen_;
+  VectorX largest_;                                   // largest rates of the entries
   double fastest_ = 0.0, last_ = 0.0, middle_ = 0.0;  // speeds, relative to the ranges; time of the last one
   bool pauses_ = false, was_fast_ = true;
   double slowest_ = 1.0, since_ = 0.0, error_ = 0.0;  // lowest speed in the pause, its time and energy error

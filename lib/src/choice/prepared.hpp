@@ -1,6 +1,7 @@
 #pragma once
 #include "src/choice/candidates.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -27,6 +28,13 @@ inline Candidate candidate_of(const std::string& name, const OrbitQuestion& ques
                               const Choice& constants, const Prepared* prepared) {
   return prepared ? candidate(name, question, prepared->formulas_at(energy, constants.kinetic))
                   : candidate(name, question, energy, constants);
+}
+
+/// The start, (q, p) as one vector.
+inline VectorX stacked_start(const OrbitQuestion& question) {
+  VectorX z(static_cast<Eigen::Index>(2 * question.q.size()));
+  std::ranges::copy(question.p, std::ranges::copy(question.q, z.data()).out);
+  return z;
 }
 
 /// The field of H, copied from the prepared one if there is one.

@@ -290,8 +290,8 @@ class Sketch {
       // is short, a quarter of it has to do: all of it takes hardly more than a longer sketch.
       if (before == 0.0 && !field.limit && made >= enough && grown <= made / 2) break;
       if (made >= most / 2 && time >= 0.25 * span) break;
-      // Behind a pole, an error that was small beside the momenta there may be as large as the energy of all
-      // other motion. What comes next is another orbit.
+      // At a pole, momenta are large, and so are errors. If the energy has changed by then as much as there
+      // is energy of motion elsewhere, the sketch goes on along another orbit.
       if (made > 8 && motion < work / time && std::abs(lost) > work / time) break;
       std::swap(step.k[0], step.k[3]);
       if (at_end) {
@@ -342,10 +342,13 @@ class Sketch {
   /// as zero. @return the largest, relative to the scale of its entry
   static double find_errors(const RungeKuttaStages<BogackiShampine>& step, const VectorX& at, double h,
                             const VectorX& scale, VectorX& errors) {
+    using Pair = BogackiShampine;
     double worst = 0.0;
     for (Eigen::Index i = 0; i < at.size(); ++i) {
-      errors[i] = h * std::abs((2.0 / 9.0 - 7.0 / 24.0) * step.k[0][i] + (1.0 / 3.0 - 0.25) * step.k[1][i] +
-                               (4.0 / 9.0 - 1.0 / 3.0) * step.k[2][i] - 0.125 * step.k[3][i]);
+      double change = 0.0;
+      for (std::size_t j = 0; j < 4; ++j)
+        change += (Pair::b[j] - Pair::embedded[j]) * step.k[j][i];
+      errors[i] = h * std::abs(change);
       if (errors[i] <= 1e3 * std::numeric_limits<double>::epsilon() * std::abs(at[i])) errors[i] = 0.0;
       if (errors[i] > 0.0) worst = std::max(worst, errors[i] / scale[i]);
       if (!std::isfinite(errors[i])) worst = infinity;

@@ -1,7 +1,5 @@
 #include "src/delivery/dips.hpp"
 
-#include "src/core/lowest.hpp"
-
 #include <algorithm>
 #include <cmath>
 

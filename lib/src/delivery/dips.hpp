@@ -1,4 +1,6 @@
 #pragma once
+#include "src/core/lowest.hpp"
+
 #include <functional>
 #include <vector>
 
@@ -41,9 +43,6 @@ class Dips {
  private:
   struct Point {
     double x, g, slope;
-  };
-  struct Lowest {
-    double x, f;
   };
   void look_low(const Sample& a, const Sample& b, std::vector<Sample>& more);
   double on(double x) { return --left_, on_(x); }

@@ -295,9 +295,7 @@ class Call {
   }
   [[nodiscard]] Sketch sketched() const {
     PointField field = field_of(question_);
-    VectorX z(static_cast<Eigen::Index>(2 * question_.q.size()));
-    std::ranges::copy(question_.q, z.data());
-    std::ranges::copy(question_.p, z.data() + question_.q.size());
+    const VectorX z = stacked_start(question_);
     field.sense = sense_;
     return {field, z, std::abs(question_.t_end - question_.t), field.metric(z)};
   }

@@ -263,7 +263,7 @@ Hit Watch::locate(const Stride& stride, std::size_t k, long& evaluations, bool& 
         return hit;
       }
       const Step<Repeated, State<dynamic>> step{exact.method(), stride.before, end.state, to * stride.h};
-      Located<State<dynamic>> found = step.locate_from(
+      Located<State<dynamic>> found = step.locate(
           from / to, at_begin, [&](const State<dynamic>& z) { return at(z); }, 0.0);
       evaluations += found.evaluations;
       if (!found.ok()) return fail(found);

@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/autodiff/recording.hpp"
 #include "avi/core/bracketed_root.hpp"
-#include "src/autodiff/schedule.hpp"
+#include "src/autodiff/node_values.hpp"
 #include "src/features/divisors.hpp"
 #include "src/features/separable.hpp"
 
@@ -29,23 +29,20 @@ class Barriers {
     const std::vector<double> least = lower_bounds(graph, *std::ranges::max_element(nodes));
     std::erase_if(nodes, [&](int node) { return least[node] >= 0.0; });
     if (nodes.empty()) return nullptr;
-    return std::make_shared<const Barriers>(
-        Barriers{graph.inputs() / 2, Schedule::program(graph, -1, nodes, graph.size())});
+    return std::make_shared<const Barriers>(Barriers{graph, nodes});
   }
 
   /// Returns true if a barrier lies between two points (q, p), on the straight way from one to the other.
   /// @param energy gives H at a point of 2n numbers
   template <class Energy>
   bool between(const double* from, const double* to, const Energy& energy) {
-    divisors_.run(from, from + n_, n_);
-    before_.resize(static_cast<std::size_t>(divisors_.program.slopes()));
+    divisors_.at(from, from + n_, n_);
+    before_.resize(divisors_.size());
     for (std::size_t k = 0; k < before_.size(); ++k)
-      before_[k] = divisors_.partial(static_cast<int>(k));
-    divisors_.run(to, to + n_, n_);
-    for (std::size_t k = 0; k < before_.size(); ++k) {
-      const double after = divisors_.partial(static_cast<int>(k));
-      if (before_[k] * after < 0.0) crossed_.push_back({static_cast<int>(k), before_[k], after});
-    }
+      before_[k] = divisors_[k];
+    divisors_.at(to, to + n_, n_);
+    for (std::size_t k = 0; k < before_.size(); ++k)
+      if (before_[k] * divisors_[k] < 0.0) crossed_.push_back({k, before_[k], divisors_[k]});
     bool any = false;
     for (; !crossed_.empty(); crossed_.pop_back())
       any = any || is_infinite(crossed_.back(), from, to, energy);
@@ -54,10 +51,11 @@ class Barriers {
 
  private:
   struct Crossed {
-    int divisor;
+    std::size_t divisor;
     double before, after;
   };
-  Barriers(int n, const Program& divisors) : n_(n), divisors_{divisors} {}
+  Barriers(const ExpressionGraph& graph, const std::vector<int>& nodes)
+      : n_(graph.inputs() / 2), divisors_(graph, nodes) {}
 
   /// Returns true if H grows as at a pole towards the zero of a divisor. Beside a zero of what it divides,
   /// too, H is smooth; towards the zero of a logarithm, it grows by a few tens only.
@@ -72,8 +70,8 @@ class Barriers {
     const double sign = std::copysign(1.0, it.after);
     const auto value = [&](double part) {
       const double* const z = place(part);
-      divisors_.run(z, z + n_, n_);
-      return sign * divisors_.partial(it.divisor);
+      divisors_.at(z, z + n_, n_);
+      return sign * divisors_[it.divisor];
     };
     const double root = bracketed_root(value, 0.0, sign * it.before, 1.0, sign * it.after, 0.0).x;
     constexpr double aside = 1e-3, beside = 1e-14;  // parts of the way
@@ -86,7 +84,7 @@ class Barriers {
   }
 
   int n_;
-  RecordedFormula<double> divisors_;  // in the place of derivatives
+  NodeValues<> divisors_;
   std::vector<double> before_, there_;
   std::vector<Crossed> crossed_;
 };

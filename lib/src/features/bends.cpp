@@ -13,26 +13,6 @@ namespace avi::detail {
 
 namespace {
 
-/// Returns true for functions that change their form near 0, and whose singularities, if any, lie beside it.
-bool turns_at_zero(Operation operation) {
-  switch (operation) {
-    using enum Operation;
-  case exp:
-  case expm1:
-  case log1p:
-  case cosh:
-  case sinh:
-  case tanh:
-  case atan:
-  case asinh:
-  case erf:
-  case erfc:
-    return true;
-  default:
-    return false;
-  }
-}
-
 /// Returns true for a quotient, a negative power or a logarithm, which are infinite at the zero of an
 /// operand.
 bool is_infinite_at_zero(const ExpressionGraph& graph, int node) {
@@ -107,7 +87,7 @@ void Bends::find(int energy, bool timed) {
     // Its value is a length of degree 1 itself.
     if (what.operation == Operation::hypot && !settled[i] && least[i] > 0.0)
       bends_.push_back({i, 1.0, false, false, of_time(i), false, least[i]});
-    if (!turns_at_zero(what.operation)) continue;
+    if (!has(what.operation, shapes::turns)) continue;
     if (!settled[what.a] && std::ranges::find(bends_, what.a, &Bend::node) == bends_.end())
       bends_.push_back({what.a, 1.0, true, false, of_time(what.a), false, 1.0});
     settled[i] = 1;
@@ -142,9 +122,7 @@ Factor Bends::length(ExpressionGraph& graph, const Bend& bend) const {
     return bend.degree == 1.0 ? sqrt(square)
                               : Factor(graph, graph.power(square.in(graph), 0.5 / bend.degree));
   }
-  if (bend.degree == 2.0) return sqrt(u);
-  if (bend.degree == 1.0) return abs(u);
-  return {graph, graph.power(abs(u).in(graph), 1.0 / bend.degree)};
+  return length_from(u, bend.degree);
 }
 
 double Bends::length_of(std::size_t k, double u) const {

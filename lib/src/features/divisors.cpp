@@ -15,28 +15,6 @@ namespace {
 // Power of a logarithm, for use in sums: smaller than any power that has a meaning.
 constexpr double nearly_none = 1e-9;
 
-/// Returns true if f(a) vanishes as a does.
-bool vanishes_with(Operation operation) {
-  switch (operation) {
-    using enum Operation;
-  case abs:
-  case sin:
-  case tan:
-  case asin:
-  case atan:
-  case sinh:
-  case tanh:
-  case asinh:
-  case atanh:
-  case expm1:
-  case log1p:
-  case erf:
-    return true;
-  default:
-    return false;
-  }
-}
-
 }  // namespace
 
 std::vector<int> divisors(const ExpressionGraph& graph, int energy, const std::vector<unsigned char>& on,
@@ -65,11 +43,8 @@ std::vector<int> divisors(const ExpressionGraph& graph, int energy, const std::v
       case divide:
         open.emplace_back(what.a, divides);
         break;
-      case exp:  // these never vanish
-      case cosh:
-        break;
       default:
-        if (divides) found.push_back(at);
+        if (divides && !has(what.operation, shapes::positive)) found.push_back(at);
       }
     }
   };
@@ -128,7 +103,7 @@ double power_in(const ExpressionGraph& graph, int node, int base) {
                   if (operation == add || operation == subtract) return std::min(a, b);
                   if (operation == log) return a > 0.0 ? -nearly_none : 0.0;
                   if (operation == when) return b;
-                  return vanishes_with(operation) && a > 0.0 ? a : 0.0;
+                  return has(operation, shapes::vanishes) && a > 0.0 ? a : 0.0;
                 });
   return powers[node];
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/autodiff/program.hpp"
 #include "avi/core/bracketed_root.hpp"
-#include "src/autodiff/schedule.hpp"
+#include "src/autodiff/node_values.hpp"
 #include "src/core/lowest.hpp"
 #include "src/features/divisors.hpp"
 #include "src/features/separable.hpp"
@@ -63,25 +63,25 @@ class Kinks {
   Kinks(const ExpressionGraph& graph, const std::vector<Function>& functions) : at_(functions.size()) {
     std::vector<int> nodes;
     for (const auto& [a, b, bases] : functions) {
-      places_.push_back({static_cast<int>(nodes.size()), b >= 0, static_cast<int>(bases.size())});
+      places_.push_back({nodes.size(), b >= 0, bases.size()});
       nodes.push_back(a);
       if (b >= 0) nodes.push_back(b);
       nodes.insert(nodes.end(), bases.begin(), bases.end());
     }
-    formula_.emplace(RecordedFormula<double>{Schedule::program(graph, -1, nodes, graph.size())});
+    nodes_.emplace(graph, nodes);
   }
 
   static constexpr int parts = 4;  ///< Number of parts of a step, at whose ends the functions are looked at.
 
   /// Takes in the values of all functions at the end of part k, or at the beginning of the step for k = 0.
   void look(int k, const double* q, const double* p, Eigen::Index n) {
-    formula_->run(q, p, n);
+    nodes_->at(q, p, n);
     for (std::size_t i = 0; i < places_.size(); ++i)
       at_[i][static_cast<std::size_t>(k)] = value(i);
   }
   /// Value of function i at a point.
   double at(std::size_t i, const double* q, const double* p, Eigen::Index n) {
-    formula_->run(q, p, n);
+    nodes_->at(q, p, n);
     return value(i);
   }
   /// The first zero inside the step, as far as the points that were looked at show it; where a function seems
@@ -160,8 +160,8 @@ class Kinks {
     const auto bases_at = [&](double c) {
       (void)on(c);
       std::vector<double> bases;
-      for (int k = 0; k < count; ++k)
-        bases.push_back(std::abs(formula_->partial(place + (is_difference ? 2 : 1) + k)));
+      for (std::size_t k = 0; k < count; ++k)
+        bases.push_back(std::abs((*nodes_)[place + (is_difference ? 2 : 1) + k]));
       return bases;
     };
     const double aside = 1e-3 * (zero.high - zero.low);
@@ -217,17 +217,16 @@ class Kinks {
 
   [[nodiscard]] double value(std::size_t i) const {
     const auto& [place, is_difference, bases] = places_[i];
-    const double first = formula_->partial(place);
-    return is_difference ? first - formula_->partial(place + 1) : first;
+    return is_difference ? (*nodes_)[place] - (*nodes_)[place + 1] : (*nodes_)[place];
   }
-  struct Places {  // numbers in the formula: of one node or two, then of the bases
-    int first;
+  struct Places {  // places in the list: of one node or two, then of the bases
+    std::size_t first;
     bool is_difference;
-    int bases;
+    std::size_t bases;
   };
   std::vector<Places> places_;
-  std::vector<std::array<double, parts + 1>> at_;   // values in the current step
-  std::optional<RecordedFormula<double>> formula_;  // all nodes, in the place of derivatives
+  std::vector<std::array<double, parts + 1>> at_;  // values in the current step
+  std::optional<NodeValues<>> nodes_;
 };
 
 }  // namespace avi::detail

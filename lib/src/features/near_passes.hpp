@@ -2,7 +2,7 @@
 #include "avi/autodiff/partials.hpp"
 #include "avi/autodiff/program.hpp"
 #include "avi/core/bracketed_root.hpp"
-#include "src/autodiff/schedule.hpp"
+#include "src/autodiff/node_values.hpp"
 #include "src/choice/candidates.hpp"
 #include "src/features/poles.hpp"
 
@@ -38,26 +38,25 @@ class NearPasses {
     for (const Poles::Light& each : light_)
       nodes.push_back(each.node);
     if (none()) return;
-    const Program divisors = Schedule::program(graph, -1, nodes, graph.size());
-    moving_.emplace(RecordedFormula<Along>{divisors});
-    still_.emplace(RecordedFormula<double>{divisors});
+    moving_.emplace(graph, nodes);
+    still_.emplace(graph, nodes);
   }
 
   /// Returns true if there is no such pole.
   [[nodiscard]] bool none() const { return light_.empty(); }
   /// Sets the distances at an end of a step of the fictive size h. @param slope dz/dt there
   void look(Candidate& candidate, double h, const State<dynamic>& z, const VectorX& slope, Distances& now) {
-    Along* const at = moving_->room.arguments();
     const Eigen::Index n = z.q.size();
+    along_.resize(static_cast<std::size_t>(2 * n));
     for (Eigen::Index i = 0; i < n; ++i) {
-      at[i] = Along::variable(z.q[i], 0, slope[i]);
-      at[n + i] = Along::variable(z.p[i], 0, slope[n + i]);
+      along_[i] = Along::variable(z.q[i], 0, slope[i]);
+      along_[n + i] = Along::variable(z.p[i], 0, slope[n + i]);
     }
-    moving_->program.run(moving_->room);
+    moving_->at(along_.data(), along_.data() + n, n);
     const double rate = candidate.fixed() ? h : h * candidate.rate_at(z);
     now.square.resize(light_.size()), now.rate.resize(light_.size());
     for (std::size_t k = 0; k < light_.size(); ++k) {
-      const Along square = light_[k].square(moving_->partial(static_cast<int>(k)));
+      const Along square = light_[k].square((*moving_)[k]);
       now.square[k] = square.value, now.rate[k] = rate * square.partial(0);
     }
   }
@@ -119,8 +118,8 @@ class NearPasses {
   /// The square of distance k at a part of the last step.
   double square_at(const OrbitSteps& method, std::size_t k, double part) {
     const State<dynamic> there = method.polynomial(part);
-    still_->run(there.q, there.p);
-    return light_[k].square(still_->partial(static_cast<int>(k)));
+    still_->at(there.q.data(), there.p.data(), there.q.size());
+    return light_[k].square((*still_)[k]);
   }
   /// The part of the step near `part` at which distance k is smallest, found by two parabolas: the square of
   /// the distance nearly is one.
@@ -139,8 +138,9 @@ class NearPasses {
   double scale_, frequency_, kick_;
   Poles poles_;
   std::vector<Poles::Light> light_;
-  std::optional<RecordedFormula<Along>> moving_;  // divisors of H, with their derivatives along the motion
-  std::optional<RecordedFormula<double>> still_;
+  std::optional<NodeValues<Along>> moving_;  // divisors of H, with their derivatives along the motion
+  std::optional<NodeValues<>> still_;
+  std::vector<Along> along_;    // (q, p) with their rates
   std::vector<double> values_;  // values of all nodes
 };
 

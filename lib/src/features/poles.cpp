@@ -103,14 +103,7 @@ int Poles::rate(ExpressionGraph& graph, const Factor& energy_at_start, const std
     const double w = constants[2 * k + 2], e = constants[2 * k + 3];
     if (!(w > 0.0)) continue;
     const Pole& pole = poles_[k];
-    Factor length(graph, pole.node);
-    if (pole.degree == 2.0)
-      length = sqrt(length);
-    else if (pole.degree == 1.0)
-      length = abs(length);
-    else
-      length = {graph, graph.power(abs(length).in(graph), 1.0 / pole.degree)};
-    const Factor near = length.reciprocal();
+    const Factor near = length_from({graph, pole.node}, pole.degree).reciprocal();
     Factor whole = 1.0;  // s^-a
     const int a = pole.steepness();
     for (int i = 0; i < a; ++i)

@@ -1,7 +1,7 @@
 #pragma once
 #include "avi/autodiff/program.hpp"
 #include "avi/core/bracketed_root.hpp"
-#include "src/autodiff/schedule.hpp"
+#include "src/autodiff/node_values.hpp"
 #include "src/choice/candidates.hpp"
 #include "src/core/lowest.hpp"
 #include "src/features/kinks.hpp"
@@ -43,23 +43,20 @@ class SharpFeatures {
       const Operation what = graph[i].operation;
       const bool moves = (on[i] & (on_q | on_last)) != 0, known = timed && on[i] == on_last;
       const bool peak = what == exp, condition = what == less || what == less_equal,
-                 passage = what == tanh || what == cosh || what == sinh || what == erf || what == erfc;
-      bends_ = bends_ || (!known && (condition || what == abs || what == sign || what == floor));
+                 passage = has(what, shapes::abrupt);
+      kinks_ = kinks_ || (!known && (condition || has(what, shapes::kinked)));
       const bool quotient = what == divide && (on[graph[i].b] & (on_q | on_last)) != 0;
       hides_ =
           hides_ || quotient || (moves && (is_function(what) || what == power || condition || what == sign));
       if (!(peak || passage || (condition && !known && singular[i]))) continue;
-      arguments_.push_back({peak      ? Kind::peak
-                            : passage ? Kind::passage
-                                      : Kind::condition,
-                            static_cast<int>(nodes.size())});
+      arguments_.push_back({peak ? Kind::peak : passage ? Kind::passage : Kind::condition, nodes.size()});
       nodes.push_back(graph[i].a);
       if (condition) nodes.push_back(graph[i].b);
     }
     if (none()) return;
-    formula_.emplace(RecordedFormula<double>{Schedule::program(graph, -1, nodes, graph.size())});
+    nodes_.emplace(graph, nodes);
     for (const Sketch::Sample& sample : sketch.samples) {
-      formula_->run(sample.z.data(), sample.z.data() + n_, n_);
+      nodes_->at(sample.z.data(), sample.z.data() + n_, n_);
       take_in();
     }
   }
@@ -67,7 +64,7 @@ class SharpFeatures {
   /// Returns true if H has no such function.
   [[nodiscard]] bool none() const { return arguments_.empty(); }
   /// Returns true if H has a kink or a branch, where errors of a step do not fall by its order.
-  [[nodiscard]] bool has_kinks() const { return bends_; }
+  [[nodiscard]] bool has_kinks() const { return kinks_; }
   /// Returns true if H is no polynomial in q: then there may be a feature that is felt nowhere else.
   [[nodiscard]] bool hides() const { return hides_; }
 
@@ -124,7 +121,7 @@ class SharpFeatures {
   enum class Kind { peak, passage, condition };
   struct Argument {
     Kind kind;
-    int node;                                 // number of its node in the formula, or of the first of two
+    std::size_t place;                        // of its node in the list, or of the first of two
     double low = infinity, high = -infinity;  // extremes on the sketch and after all steps so far
     std::array<double, parts + 1> at{};       // values in the current step
 
@@ -134,19 +131,19 @@ class SharpFeatures {
     }
   };
 
-  void run(const State<dynamic>& z) { formula_->run(z.q.data(), z.p.data(), n_); }
+  void run(const State<dynamic>& z) { nodes_->at(z.q.data(), z.p.data(), n_); }
   /// Evaluates all arguments at a part of the last step.
   void run(OrbitSteps& method, double place) {
     double t = 0.0;
     inside_.resize(2 * n_);
     method.roughly(place, inside_, t);
-    formula_->run(inside_.data(), inside_.data() + n_, n_);
+    nodes_->at(inside_.data(), inside_.data() + n_, n_);
   }
   /// Value of argument i at the last point.
   [[nodiscard]] double value(std::size_t i) const {
     const Argument& argument = arguments_[i];
-    const double first = formula_->partial(argument.node);
-    return argument.kind == Kind::condition ? first - formula_->partial(argument.node + 1) : first;
+    const double first = (*nodes_)[argument.place];
+    return argument.kind == Kind::condition ? first - (*nodes_)[argument.place + 1] : first;
   }
   /// Value of argument i at a part of the last step.
   double on(OrbitSteps& method, std::size_t i, double place) {
@@ -224,11 +221,11 @@ class SharpFeatures {
   }
 
   Eigen::Index n_;
-  bool bends_ = false, hides_ = false;
+  bool kinks_ = false, hides_ = false;
   std::vector<Argument> arguments_;
-  std::vector<double> zeros_;                       // zeros of conditions in the current step
-  VectorX inside_;                                  // scratch
-  std::optional<RecordedFormula<double>> formula_;  // all arguments, in the place of derivatives
+  std::vector<double> zeros_;          // zeros of conditions in the current step
+  VectorX inside_;                     // scratch
+  std::optional<NodeValues<>> nodes_;  // all arguments
 };
 
 }  // namespace avi::detail

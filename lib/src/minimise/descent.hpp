@@ -9,7 +9,7 @@
 #include <utility>
 
 /// @file
-/// What a run of avi::minimise() moves: its points, its direction, and how one follows from the other.
+/// The points and the direction of a run of avi::minimise(), and how one follows from the other.
 
 namespace avi::detail {
 

@@ -228,7 +228,7 @@ class MinimiserRun : Descent {
     if (++idle_ <= 200) return true;
     idle_ = 0;
     noise_ = waits_ == 0 ? 0.0 : std::min(noise_, most_noise_);  // too large, it would hide gains
-    return judge(true) || (agrees_ && ++waits_ < 20);            // in hard valleys, runs waited five times
+    return judge(true) || (agrees_ && ++waits_ < 20);  // five times were needed in the hardest valleys
   }
 
   /// Returns f on the line, as a function of alpha.

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/collocation/stage_values.hpp"
+#include "avi/core/summation.hpp"
 #include "avi/integrators/coefficient_lists.hpp"
 #include "src/steps/stage_formula.hpp"
 #include "src/steps/stepper.hpp"
@@ -139,14 +140,11 @@ class SplittingSteps final : public Stepper {
       acceleration_[i] = acceleration_[i] - velocity_[i];
     has_slopes_ = true;
   }
-  /// Adds the change to x, with what rounding cut off before (Kahan 1965). This goes pack by pack, as the
+  /// Adds the change to x, with what rounding cut off before. This goes pack by pack, as the
   /// formulas have just written the change: the processor would have to wait if it read other portions.
   void add(Vec& x, Vec& low) const {
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const Scalar change = change_[i] + low[i], next = x[i] + change;
-      low[i] = change - (next - x[i]);
-      x[i] = next;
-    }
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      avi::add(x[i], low[i], change_[i]);
   }
   /// Ends the step that `moved` has made in a lane.
   StepReport end(const SplittingSteps& moved, int lane, double* z, double& t, double h) {
