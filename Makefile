@@ -151,7 +151,7 @@ alone = flock $(if $(filter $(timed),$(1)),--exclusive,--shared) build/data/.alo
 
 # `make paper` alone takes the timed data that are there: a machine that is busy now must not change what was measured
 # before. Only what lacks the libraries to compare with, as after `make figures` alone, is measured, as a whole.
-lacking := $(shell grep -l 'peers:.*absent' build/data/work_precision.tsv 2>/dev/null)
+lacking := $(shell grep -l 'peers:.*absent' $(patsubst %,build/data/%.tsv,work_precision front_door) 2>/dev/null)
 held := $(if $(filter-out paper,$(MAKECMDGOALS)),,$(filter-out $(lacking),$(wildcard $(patsubst %,build/data/%.tsv,$(timed)))))
 
 data: $(DATA) build/data/manifest.tsv ## Run every experiment: build/data/<stem>.tsv

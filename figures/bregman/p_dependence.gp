@@ -1,4 +1,4 @@
-# The largest f from there on along HTVI runs as p grows and as p_ring falls; the order P = p^2/p_ring sorts both.
+# The largest f from there on along HTVI runs as p grows and as p̊ falls; the order P = p^2/p̊ sorts both.
 width = 16; height = 4.7
 load 'figures/style.gp'
 curves = data.'/p_dependence_curves.tsv'

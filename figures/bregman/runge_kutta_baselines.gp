@@ -1,4 +1,4 @@
-# Runge-Kutta methods on Bregman dynamics, p = 10, p_ring = 0.5. Above: the largest f from there on against accepted steps,
+# Runge–Kutta methods on Bregman dynamics, p = 10, p̊ = 0.5. Above: the largest f from there on against accepted steps,
 # pairs at MATLAB's default tolerances; below: gradient evaluations until the stopping test holds for good, over the tolerance.
 width = 16; height = 8.8
 load 'figures/style.gp'

@@ -20,6 +20,6 @@ set ylabel 'ang. mom. error' offset 1, 0
 set xlabel 'time (one period is 2π)'
 set format x '%g'
 unset key
-set yrange [1e-17:1e-12]; set ytics 100
+set yrange [1e-17:1e-11]; set ytics 100
 plot for [m in shown] curve using (where('monitor', m, 't')):'angular_momentum_error' with lines ls monitor(m) dt 1 lw 1.2
 unset multiplot

@@ -11,14 +11,14 @@ problems = system("awk -F'\t' '!/^#/ && $1 != \"problem\" {if (!($1 in seen)) {s
 aside(problem, type) = 0.55*(position(problems, problem) - 0.5*(words(problems) + 1))/words(problems) + (type eq 'III' ? 0.02 : -0.02)
 shown(c) = strcol('construction') eq c && order_of(strcol('quadrature')) >= 2*column('r') + 2 ? column('measured_order') : NaN
 set multiplot
-page_left = 1.1; page_bottom = 2.3; page_top = 0.4
+page_left = 1.4; page_bottom = 2.3; page_top = 0.4
 unset key
 set xrange [-0.5:4.5]; set yrange [0:12]
 set xtics 1; set ytics 2
 set xlabel 'Taylor degree r'; set ylabel 'measured order' offset 0.5, 0
-eval box(page_left, page_bottom, 6.3, height - page_bottom - page_top)
+eval box(page_left, page_bottom, 6.1, height - page_bottom - page_top)
 set label 1 '2r + 2' at graph 0.52, graph 0.72 right font ',8'
-set label 2 'r + 1' at graph 0.9, graph 0.33 left font ',8'
+set label 2 'r + 1' at graph 0.68, graph 0.24 left font ',8'
 plot x + 1 with lines ls guide, 2*x + 2 with lines ls guide, \
   grid using (column('r') + aside(strcol('problem'), strcol('type'))):(shown('printed')) with points pt 6 ps 0.35 lc rgb vermilion, \
   grid using (column('r') + aside(strcol('problem'), strcol('type'))):(shown('stationary')) with points pt 7 ps 0.35 lc rgb blue

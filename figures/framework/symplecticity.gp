@@ -1,4 +1,4 @@
-# How far one step is from a symplectic map: round-off for the adaptive integrators, on extended phase space too, and
+# How far one step is from a symplectic map: rounding for the adaptive integrators, on extended phase space too, and
 # the three flows, h^3 for the printed splitting with its r^t.
 width = 16; height = 6
 load 'figures/style.gp'

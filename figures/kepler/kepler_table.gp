@@ -1,4 +1,4 @@
-# The rows of Table 1 or 2: energy error, position error, and time in units of the same source's Stormer-Verlet. A row for
+# The rows of Table 1 or 2: energy error, position error, and time in units of the same source's Störmer–Verlet. A row for
 # each monitor; a mark for each construction beside the printed value. Needs `stem` and `eccentricity`.
 width = 16; height = 5.3
 load 'figures/style.gp'

@@ -180,6 +180,7 @@ std::string display_name(std::string_view name) {
       {"henon_heiles", "H\\'enon--Heiles"},
       {"collocation4", "collocation 4"},
       {"collocation8", "collocation 8"},
+      {"collocation12", "collocation 12"},
       {"collocation16", "collocation 16"},
       {"log_hamiltonian_suzuki4", "LogH Suzuki 4"},
       {"log_hamiltonian_kahan_li6", "LogH KL 6"},

@@ -1,5 +1,5 @@
-# Left: how far the iterates of Adaptive (p, p_ring) are from those of Direct of order P = p^2 / p_ring, with the exact clock
-# and with Euler's, over 100 iterations and over 1000. Right: the iterations of the paper's table on p and p_ring against P.
+# Left: how far the iterates of Adaptive (p, p̊) are from those of Direct of order P = p^2/p̊, with the exact clock
+# and with Euler's, over 100 iterations and over 1000. Right: the iterations of the paper's table on p and p̊ against P.
 width = 16; height = 5.8
 load 'figures/style.gp'
 table = data.'/order_equivalence.tsv'

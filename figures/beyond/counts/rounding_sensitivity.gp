@@ -1,5 +1,5 @@
-# Range of the counts from starts moved by 1e-14, in units of the unmoved count, and how many of these runs fail: in
-# rows without a bar the count does not depend on rounding. Rows: method, p and p_ring (Direct has p alone), h.
+# Range of the counts from starts moved by 1e-14, in units of the unmoved count: in
+# rows without a bar the count does not depend on rounding. Rows: method, p and p̊ (Direct has p alone), h.
 width = 16; height = 8
 load 'figures/style.gp'
 table = data.'/rounding_sensitivity.tsv'

@@ -1,5 +1,5 @@
 # Above: f around the first passage of the stopping test. Below: iterations until the test first holds (open) and until it
-# holds for good (filled), for every run of the paper's tables: method, p and p_ring (Direct has p alone), h.
+# holds for good (filled), for every run of the paper's tables: method, p and p̊ (Direct has p alone), h.
 width = 16; height = 14
 load 'figures/style.gp'
 curves = data.'/sustained_convergence_curves.tsv'

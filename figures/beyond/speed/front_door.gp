@@ -1,6 +1,7 @@
 # The whole call of solve(), choosing and checking included, beside the best of other libraries at equal error of the
 # position at the end: the ratio of times, below 1 where solve() is ahead, over 1, 10 and 100 characteristic times (after
-# make work-precision over 1000, too); hollow marks for problems drawn up after the menu was made (and looked at since).
+# make work-precision over 1000, too). Filled: problems seen while the choice was designed; hollow: drawn up after it, held
+# out (and looked at since).
 width = 16; height = 6.4
 load 'figures/style.gp'
 table = data.'/front_door_cells.tsv'
@@ -17,8 +18,8 @@ eval logx
 eval logy
 set grid
 unset key
-set xrange [1e-12:1e-2]; set yrange [0.05:500]
-set xtics 1e-11, 1e4 font ',7'; set ytics font ',7'
+set xrange [1e-2:1e-12]; set yrange [0.03:500]
+set xtics (1e-3, 1e-7, 1e-11) font ',7'; set ytics font ',7'
 cell(i, held) = column('horizon') == horizon[i] && column('held_out') == held ? column('ratio') : NaN
 k_of(c) = sum [k=1:kinds] (c eq kind[k] ? k : 0)
 tint(c) = int('0x'.substr(colour[int(k_of(c))], 2, 7))
@@ -38,5 +39,6 @@ eval legend(1)
 set key maxrows 2 samplen 1 width -1 font ',7'
 # Some kinds are held out alone.
 there(k) = int(system("grep -c -P '\t".kind[k]."\t' ".table.' || true')) > 0
-plot for [k=1:kinds] 2 with points lc rgb colour[k] pt 7 title there(k) ? kind[k] : ''
+plot for [k=1:kinds] 2 with points lc rgb colour[k] pt 7 title there(k) ? kind[k] : '', \
+  2 with points lc rgb black pt 6 title held_out ? 'hollow: held out' : ''
 unset multiplot

@@ -23,7 +23,7 @@ array problem[panels] = ['kepler', 'kepler', 'kepler', 'kepler', 'perturbed_kepl
 array ecc[panels] = [0.9, 0.99, 0.999, 0.9, 0.9, -1, -1, -1, -1, -1, -1]
 array horizon[panels] = ['10', '10', '10', orbits, '10', '10 periods', '1', '200000 days', sections, sections, sections]
 array shown[panels] = ['Kepler 0.9, t = 10', 'Kepler 0.99, t = 10', 'Kepler 0.999, t = 10', 'Kepler 0.9, '.orbits, 'quadrupole 0.9, t = 10', \
-  'figure eight, 10 periods', 'seven bodies, t = 1', 'outer planets', 'Hénon–Heiles', 'double pendulum', 'chain of 64']
+  'figure eight, 10 periods', 'seven bodies, t = 1', 'outer planets, 200 000 d', 'Hénon–Heiles, t = '.sections, 'double pendulum, t = '.sections, 'chain of 64, t = '.sections]
 unset datafile columnheaders
 set datafile separator whitespace
 eval logx; eval logy
@@ -48,7 +48,7 @@ set multiplot
 page_left = 1.5; page_right = 0.5; page_bottom = 1.95; page_top = 0.65; gap_x = 0.4; gap_y = 0.85
 do for [i = 1:panels] {
   eval panel((i - 1) % 4 + 1, (i - 1) / 4 + 1, 4, 3)
-  set title shown[i] font ',8' offset 0, -0.7
+  set title shown[i] font ',7' offset 0, -0.7
   set ylabel i % 4 == 1 ? 'time / best library' : '' offset 0.6, 0
   set format y i % 4 == 1 ? '%g' : ''
   set xtics (1e-3, 1e-6, 1e-9); set format x i > 7 ? '10^{%L}' : ''

@@ -1,5 +1,5 @@
-# Steps per orbit of the largest usable step against the distance from e = 1. Left: monitors of the stationary construction, r = 3 with two Gauss nodes; right: fixed and
-# variable steps of all methods (collocation is of order 16). Grey, drawn through the last point: the predicted powers of
+# Steps per orbit of the largest usable step against the distance from e = 1. Left: monitors of the stationary construction,
+# r = 3 with four Gauss nodes (order 8); right: fixed and variable steps of all methods (collocation is of order 16). Grey, drawn through the last point: the predicted powers of
 # 1 - e, for g = r^1.5 times the elliptic integral that counts equal steps in the integral of r^-1.5 dt.
 width = 16; height = 7
 load 'figures/style.gp'

@@ -1,5 +1,6 @@
-# The largest step before the energy runs off (Kepler: e = 0.9; Henon-Heiles: H = 1/12), in units of the limit of linear
-# theory, for each method; of collocation, which has none, in units of Störmer-Verlet's. Its runs on the oscillator end at the
+# The largest step before the energy runs off (Kepler: e = 0.9; Hénon–Heiles: H = 1/12). Oscillator and Hénon–Heiles: in units
+# of the first step at which the method is unstable or unsolved on the oscillator; stable windows may follow, so points above 1
+# occur. Kepler, and all of collocation: in units of Störmer–Verlet's limit; collocation's runs on the oscillator end at the
 # largest step that was tried.
 width = 16; height = 5.6
 load 'figures/style.gp'
@@ -9,7 +10,7 @@ shown = "'Störmer–Verlet' 'Yoshida 4' 'Kahan–Li 8' 'Runge–Kutta 4' 'stati
 set logscale y 10
 set yrange [0.05:20]
 set xrange [0.5:12.5]
-set ylabel 'largest step / linear limit'
+set ylabel 'largest step / limit'
 set xtics rotate by 25 right
 do for [i=1:12] { set xtics add (word(shown, i) i) }
 page_bottom = 1.5; page_top = 1.0
@@ -18,7 +19,7 @@ set key tmargin center horizontal Left reverse maxrows 2 width -3
 row(problem, monitor, x) = strcol('problem') eq problem && strcol('monitor') eq monitor && position(methods, strcol('method')) \
   ? position(methods, strcol('method')) + x : NaN
 limit(x) = strcol('linear_reason') eq 'none' ? 2 : column('h_linear')
-plot 1 ls guide title 'linear theory', \
+plot 1 ls guide title 'limit', \
   table using (row('oscillator', 'none', -0.2)):(column('h')/limit(0)) with points ls monitor('none') ps 1.3 title 'oscillator', \
   table using (row('henon_heiles', 'none', -0.07)):(column('h')/limit(0)) with points ls monitor('truncation') ps 1.3 title 'Hénon–Heiles, H = 1/12', \
   table using (row('kepler', 'none', 0.07)):(column('h')/limit(0)) with points ls monitor('arclength') ps 1.3 title 'Kepler, fixed step', \

@@ -1,6 +1,7 @@
 #include <avi/avi.hpp>
 #include <avi/problems/n_body.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -41,20 +42,24 @@ const auto centre = [](const auto& q, const auto& p) {
 };
 const avi::State<2> pericentre{.q = {0.1, 0.0}, .p = {0.0, std::sqrt(19.0)}};
 
-/// The states after each step of one period, and the orbit between them.
+/// The states after each step of one period by order 8, with the largest relative energy error up to then.
 template <class Monitor>
 void orbit(Table& table, const Monitor& monitor, int steps) {
-  double h = 0.2;  // that which makes `steps` of a period, by false position
+  double h = 2.0 * std::numbers::pi / steps;  // that which makes `steps` of a period, by false position
   for (int i = 0; i < 40; ++i) {
-    auto method = avi::collocation(avi::poincare<2>(centre, pericentre, monitor), 16);
+    auto method = avi::collocation(avi::poincare<2>(centre, pericentre, monitor), 8);
     avi::State<2> z = pericentre;
     if (!avi::integrate(method, z, h, {.steps = steps}).ok()) return;
     h *= std::pow(2.0 * std::numbers::pi / z.t, 0.5);
   }
-  auto method = avi::collocation(avi::poincare<2>(centre, pericentre, monitor), 16);
+  auto method = avi::collocation(avi::poincare<2>(centre, pericentre, monitor), 8);
   avi::State<2> z = pericentre;
-  (void)avi::integrate(method, z, h, {.steps = steps},
-                       [&](const auto& now, long) { table.row(now.q[0], now.q[1], now.t); });
+  const double energy = centre(z.q, z.p);
+  double worst = 0.0;
+  (void)avi::integrate(method, z, h, {.steps = steps}, [&](const auto& now, long) {
+    worst = std::max(worst, std::abs(centre(now.q, now.p) / energy - 1.0));
+    table.row(now.q[0], now.q[1], now.t, worst);
+  });
   table.end_block();
 }
 
@@ -193,7 +198,7 @@ void eccentric_steps() {
   auto method = avi::htvi<8>(avi::poincare<2>(centre, pericentre, avi::bounded(avi::Gamma{}, 0.01, 8.0)));
   avi::State<2> z = pericentre;
   double before = 0.0;
-  (void)avi::integrate(method, z, 0.2, {.time = 18.0}, [&](const auto& now, long) {
+  (void)avi::integrate(method, z, 0.2, {.time = 20.0 * std::numbers::pi}, [&](const auto& now, long) {
     if (now.t > before) table.row(now.t, now.t - before);
     before = now.t;
   });

@@ -12,9 +12,11 @@ set terminal @low
 set output picture("orbit")
 set multiplot layout 1, 2
 unset border; unset tics
-set size ratio -1; set xrange [-2.1:0.5]; set yrange [-0.75:0.75]
+set size ratio -1; set xrange [-2.4:0.3]; set yrange [-0.75:0.75]
 do for [i = 1:2] {
-  set title (i == 1 ? "40 equal steps in time" : "40 steps that follow the motion")
+  stats file("orbit") index i using 4 nooutput
+  exponent = floor(log10(STATS_max))
+  set title (i == 1 ? "40 equal steps in time" : "40 steps that follow the motion").sprintf("\nenergy error %.0f·10^{%d}", STATS_max/10**exponent, exponent)
   plot file("orbit") index 0 with lines lc rgb "#cccccc" lw 2, \
     "" index i with points pt 7 ps 0.7 lc rgb (i == 1 ? red : blue), \
     "<echo 0 0" with points pt 7 ps 1.6 lc rgb "#e6a400"

@@ -34,5 +34,8 @@ print(f"L-BFGS-B:     {theirs.njev} gradients, {perf_counter() - begun:.2f} s, l
 
 ax = avi.plot.convergence(ours, least=min(ours.fun, theirs.fun))
 ax.plot(np.linspace(1, theirs.njev, len(seen)), np.array(seen) - min(ours.fun, theirs.fun), "--", label="L-BFGS-B, $f - f_{\\min}$")
+for line in ax.lines[:2]:
+    line.set_label(f"avi.minimise, {line.get_label()}")
+ax.set_ylabel("$f - f_{\\min}$, norm of the gradient")
 ax.legend()
 plt.savefig("logistic_regression.png", dpi=110)

@@ -1,4 +1,4 @@
-"""A Poincaré section of the Hénon-Heiles system at energy 1/8 from a thousand starts, on all cores."""
+"""A Poincaré section of the Hénon–Heiles system at energy 1/8 from a thousand starts, on all cores."""
 
 from time import perf_counter
 
@@ -32,5 +32,5 @@ figure, axes = plt.subplots(figsize=(6, 5), layout="constrained")
 for each in points:  # an orbit that comes to many places is chaotic
     places = len(np.unique(np.round(each[:, [1, 3]] / 0.05), axis=0)) / len(each)
     axes.plot(each[:, 1], each[:, 3], ".", markersize=1, color=plt.cm.plasma(1 - places))
-axes.set(xlabel="$y$", ylabel="$p_y$", title="Hénon-Heiles, energy 1/8, at $x = 0$, $p_x > 0$")
+axes.set(xlabel="$y$", ylabel="$p_y$", title="Hénon–Heiles, energy 1/8, at $x = 0$, $p_x > 0$\ndark: chaotic; bright: on a curve")
 plt.savefig("poincare_section.png", dpi=90)
