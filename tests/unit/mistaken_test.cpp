@@ -84,4 +84,24 @@ TEST(Mistaken, RoundingOfAStiffForceIsNoReasonForShorterSteps) {
   EXPECT_LT(orbit.run.steps, 50'000);                        // measured 24 899; it took 1 310 068
 }
 
+// A third body on a circle far away makes the orbit of the first one ever narrower (Kozai 1962; Lidov 1962),
+// which a circle at the beginning does not show: equal steps were kept, and made ever shorter.
+TEST(Mistaken, ACircleDoesNotStayOne) {
+  const auto kozai = [](const auto& q, const auto& t, const auto& p) {
+    const auto x = 10.0 * cos(0.05 * t), y = 10.0 * sin(0.05 * t);
+    const auto dx = q[0] - x, dy = q[1] - y;
+    return 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) -
+           1.0 / sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]) - 1.5 / sqrt(dx * dx + dy * dy + q[2] * q[2]) +
+           1.5e-3 * (q[0] * x + q[1] * y);
+  };
+  const double tilt = 89.0 / 180.0 * M_PI;
+  const State<3> start{.q = {1.0, 0.0, 0.0}, .p = {0.0, std::cos(tilt), std::sin(tilt)}};
+  const auto exact = kept(solve(kozai, start, 2500.0, 1e-11));
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    const auto orbit = kept(solve(kozai, start, 2500.0, tolerance));
+    EXPECT_LT((orbit.state.q - exact.state.q).norm(), tolerance) << tolerance;
+    EXPECT_LT(orbit.run.steps, 50'000) << tolerance;  // measured at most 20 592
+  }
+}
+
 }  // namespace mistaken_test

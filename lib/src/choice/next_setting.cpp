@@ -159,6 +159,22 @@ void Orbiter::doubt_beginning(std::size_t mark, double of_energy) {
   if (resolved_ >= fine_->h) resolved_ = 0.0;
 }
 
+/// Where energy errors are large, looks at the motion from where they are largest. @return true if it is
+/// much faster than the sketch of the beginning shows: other candidates may follow it better
+bool Orbiter::is_outrun(double of_energy) {
+  if (also_ || looks_ == most_looks || !(of_energy > 3.0) || question_.made || question_.options.h > 0.0 ||
+      !question_.options.monitor.name.empty())
+    return false;
+  ++looks_;
+  known_.field.sense = known_.sense;
+  const State<dynamic>& z = fine_->worst;
+  const Sketch there(known_.field, stacked(z), std::abs(question_.t_end - z.t), known_.metric, Sketch::few,
+                     std::abs(z.t - question_.t));
+  known_.field.sense = 1.0;
+  constexpr double much = 3.0;
+  return outrun_ = there.highest_frequency() > much * known_.sketch->highest_frequency();
+}
+
 /// Compares the two runs at a mark. @return true if the step is changed
 bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const bool last = mark + 1 == marks_.size();
@@ -200,6 +216,7 @@ bool Orbiter::judge(Setting& setting, std::size_t mark) {
   const double of_energy = hidden || alike == Alike::harmless ? 0.0 : fine_->energy_error / (3.0 * tolerance);
   const double of_state = foretold(seen_, here, known_.span, known_.high_speed) / tolerance;
   if (!hidden) doubt_beginning(mark, of_energy);
+  if (!hidden && mark > 0 && is_outrun(of_energy)) return true;
   if (mark == 0 && !others_tried_ && try_others(setting)) return true;
   if (resigned_ || round_ >= most_rounds) return false;
   // No step adds digits to distant coordinates, or to a distant clock.

@@ -50,12 +50,14 @@ bool Orbiter::was_blind(const Setting& setting) const {
   return menu_.expected_steps(*setting.candidate, setting.h, known_.span) > 1000.0;
 }
 
-/// Begins anew with a sketch of short steps.
-OrbitAnswer Orbiter::look_closely() {
-  Orbiter close(question_, budget_);
-  close.closely_ = true;
-  close.answer_.choice.trials = std::move(answer_.choice.trials);
-  return close.solve();
+/// Begins anew with another sketch. @param closely with short steps @param also a state from which the sketch
+/// goes on, if any
+OrbitAnswer Orbiter::look_again(bool closely, std::optional<State<dynamic>> also) {
+  Orbiter again(question_, budget_);
+  again.closely_ = closely;
+  again.also_ = std::move(also);
+  again.answer_.choice.trials = std::move(answer_.choice.trials);
+  return again.solve();
 }
 
 OrbitAnswer Orbiter::solve() {
@@ -67,7 +69,7 @@ OrbitAnswer Orbiter::solve() {
   }
   std::ranges::fill(answer_.q, std::numeric_limits<double>::quiet_NaN());
   std::ranges::fill(answer_.p, std::numeric_limits<double>::quiet_NaN());
-  if (!known_.late()) known_.make(closely_);
+  if (!known_.late()) known_.make(closely_, also_);
   if (!known_.late()) menu_.write(answer_.choice);
   if (known_.late())
     return fail(Outcome::time_limit, "The bound on seconds was met while the run was prepared.");
@@ -80,8 +82,13 @@ OrbitAnswer Orbiter::solve() {
   answer_.choice.time = since_start(0);
   Setting setting{&menu_.all.front(), question_.options.h};
   if (!(setting.h > 0.0)) setting.h = affordable(menu_.all.front(), menu_.first_step(menu_.all.front()));
-  while (pursue(setting))
-    if (was_blind(setting)) return look_closely();
+  while (pursue(setting)) {
+    if (outrun_) {
+      note_trial(*coarse_, infinity), note_trial(*fine_, seen_.error);
+      return look_again(closely_, fine_->worst);
+    }
+    if (was_blind(setting)) return look_again(true, also_);
+  }
   take_furthest();
   if (!fine_ || (!fine_->ok() && fine_->run.steps == 0)) return give_up();
   return finish();

@@ -18,6 +18,8 @@ inline constexpr double shortest_growth = 400.0;
 inline constexpr int most_rounds = 30;
 /// Largest number of times that a step is made longer.
 inline constexpr int most_lengthened = 2;
+/// Largest number of times that the motion is looked at where energy errors are largest.
+inline constexpr int most_looks = 6;
 /// Part of the tolerance that a step is chosen for, as error predictions fluctuate.
 inline constexpr double wanted_part = 0.2;
 /// Largest factor between the errors of two runs that is believed.
@@ -91,7 +93,7 @@ class Orbiter {
   void set_marks();
   double affordable(Candidate& it, double h);
   [[nodiscard]] bool was_blind(const Setting& setting) const;
-  OrbitAnswer look_closely();
+  OrbitAnswer look_again(bool closely, std::optional<State<dynamic>> also);
 
   // pair_of_runs.cpp
   Journey begin(const Setting& setting, double factor);
@@ -127,6 +129,7 @@ class Orbiter {
   // next_setting.cpp
   enum class Alike { no, rounding, harmless, unexplained };
   void doubt_beginning(std::size_t mark, double of_energy);
+  bool is_outrun(double of_energy);
   bool judge(Setting& setting, std::size_t mark);
   void look_at_work(std::size_t mark);
   Alike alike_energies();
@@ -169,6 +172,9 @@ class Orbiter {
   Overview known_;  // what is known before the runs
   Menu menu_;
   bool closely_ = false;  // whether the sketch takes short steps, as one of longer steps was blind
+  std::optional<State<dynamic>> also_;  // where the sketch goes on, as the motion is far faster there
+  int looks_ = 0;                       // how often the motion was looked at where energy errors are largest
+  bool outrun_ = false;                 // it is far faster there
   std::vector<double> marks_;
   std::size_t compared_ = 0;              // number of marks at which two runs are compared
   std::optional<bool> foreign_gradient_;  // whether H supplies a gradient that is not its own, once checked

@@ -47,7 +47,7 @@ bool Overview::late() const {
   return field.operations() > 1e5 && budget_.seconds() > question_.options.seconds;
 }
 
-void Overview::make(bool closely) {
+void Overview::make(bool closely, const std::optional<State<dynamic>>& also) {
   const int n = field.size();
   const VectorX start = stacked_start(question_);
   VectorX slope(2 * n);
@@ -58,6 +58,11 @@ void Overview::make(bool closely) {
   distance.emplace(metric, question_.tolerance, seen);
   sketch_from(start, closely);
   if (late()) return;
+  if (also) {
+    const double before = std::abs(also->t - question_.t);
+    sketch->append(Sketch(field, stacked(*also), span - before, metric, Sketch::few, before));
+    bends->measure(*sketch);
+  }
   const double time = std::max(sketch->time, 1e-300);
   distance->frequency = sketch->radians / time;
   radians = sketch->radians / time * span;

@@ -27,9 +27,9 @@ class Overview {
         span(std::abs(question.t_end - question.t)), question_(question), budget_(budget), answer_(answer) {}
 
   /// Makes the sketch and finds all that is below, unless it is late() on the way. @param closely with short
-  /// steps, as a sketch of longer ones was blind
+  /// steps, as a sketch of longer ones was blind @param also a later state from which the sketch goes on
   /// @throws std::invalid_argument unless H and its slope are finite at the start
-  void make(bool closely);
+  void make(bool closely, const std::optional<State<dynamic>>& also);
   /// Returns true if the time limit of the call was used up by its preparation, which takes long for an H of
   /// very many operations.
   [[nodiscard]] bool late() const;

@@ -321,6 +321,20 @@ class Sketch {
     }
     return {at, most / least};
   }
+  /// The highest frequency of a sample.
+  [[nodiscard]] double highest_frequency() const {
+    double most = 0.0;
+    for (const Sample& sample : samples)
+      most = std::max(most, sample.frequency);
+    return most;
+  }
+  /// Adds the samples of another part of the orbit.
+  void append(Sketch&& other) {
+    for (const Sample& sample : other.samples)
+      samples.push_back(sample);
+    time += other.time, radians += other.radians;
+    more_.push_back(std::move(other.numbers_));
+  }
   /// The time in which the phase grows by so many radians, extrapolated beyond the end of the sketch.
   [[nodiscard]] double time_of(double phase) const {
     double t = 0.0, seen = 0.0;
@@ -447,7 +461,8 @@ class Sketch {
     return h;
   }
 
-  std::unique_ptr<double[]> numbers_;  // numbers of all samples
+  std::unique_ptr<double[]> numbers_;            // numbers of all samples,
+  std::vector<std::unique_ptr<double[]>> more_;  // and of those that were appended
 };
 
 }  // namespace avi::detail
