@@ -411,16 +411,16 @@ Solution<n> solution_of(OrbitAnswer&& found, int count) {
 /// Integrates Hamilton's equations of H from `start` to the physical time `t_end`.
 ///
 /// The tolerance applies to the state at the end: each coordinate and momentum is right to about `tolerance`
-/// times the range that it covers, or 1e-8 times that of another entry of similar mass if this is larger. An
-/// entry that hardly changes, such as the momentum of a fast rotor, or one that rests by symmetry and drifts
-/// only by rounding, counts as covering 1e-8 of its size, or of that other range, or thirty units in its last
-/// place divided by the tolerance. SolutionReport::state_error is the error achieved: the difference from a
-/// second run with a longer step, reduced according to the order. In runs of up to 300 steps a third run
-/// confirms it, unless it is far below the tolerance. Runs of more than about sixty revolutions take their
-/// step from the errors on the first few; these grow linearly in time where motion is regular. Without
-/// SolveOptions::check that is all there is of the second run: the cost is halved, but chaos that begins
-/// later is missed. Where the motion does not allow the tolerance (chaos, rounding, a wall thinner than a
-/// step), kept() is false and report() says why.
+/// times the range that it covers, or 1e-8 times that of another entry of similar mass if this is larger. A
+/// momentum that hardly changes, such as that of a fast rotor, counts as covering 1e-8 of its size, and an
+/// entry that rests by symmetry and drifts only by rounding 1e-8 of that other range; or, if that is more,
+/// both thirty units in the last place divided by the tolerance. SolutionReport::state_error is the error
+/// achieved: the difference from a second run with a longer step, reduced according to the order. In runs of
+/// up to 300 steps a third run confirms it, unless it is far below the tolerance. Runs of more than about
+/// sixty revolutions take their step from the errors on the first few; these grow linearly in time where
+/// motion is regular. Without SolveOptions::check that is all there is of the second run: the cost is halved,
+/// but chaos that begins later is missed. Where the motion does not allow the tolerance (chaos, rounding, a
+/// wall thinner than a step), kept() is false and report() says why.
 ///
 /// The method is Gauss collocation with constant steps in the fictive time of one of these monitors. It is
 /// symplectic except where a step is cut: the last one, at t_end, and those at kinks and switches of H:

@@ -99,7 +99,7 @@ TEST(Mistaken, ACircleDoesNotStayOne) {
   const auto exact = kept(solve(kozai, start, 2500.0, 1e-11));
   for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
     const auto orbit = kept(solve(kozai, start, 2500.0, tolerance));
-    EXPECT_LT((orbit.state.q - exact.state.q).norm(), tolerance) << tolerance;
+    EXPECT_LT((orbit.state.q - exact.state.q).norm(), 0.03 * tolerance) << tolerance;  // measured 0.015
     EXPECT_LT(orbit.run.steps, 50'000) << tolerance;  // measured at most 20 592
   }
 }

@@ -382,7 +382,7 @@ TEST(SolveErrors, KnowWhatIsLostAtASaddle) {
       }
     }
   EXPECT_GE(kept, 60);
-  // 5.5 million. Rounding decides there, so errors of pairs go up and down: 118 million where one better
+  // 7.3 million. Rounding decides there, so errors of pairs go up and down: 118 million where one better
   // than the pair before it, and not than the best, was taken for progress.
   EXPECT_LT(sweeps, 11'000'000);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "avi/core/integrate_to.hpp"
+#include "avi/integrators/runge_kutta.hpp"
 #include "src/choice/budget.hpp"
 #include "src/choice/candidates.hpp"
 #include "src/choice/pauses.hpp"

@@ -109,9 +109,10 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
   const bool resolving = errors.of_energy > 0.01 && fine_->energy_error < 0.1 * coarse_->energy_error;
   // At a saddle, runs are wholly apart until the error of the energy is less than what is left of it there.
   const double of_run = errors.hidden ? infinity : fine_->energy_error;
-  const bool nearer = lost_ && of_run < 0.1 * energy_before_;
+  const bool nearer = lost_ && !forgiven_ && of_run < 0.1 * energy_before_;
   energy_before_ = of_run;
   const bool in_vain = mark <= before_at_ && error > 0.3 * before_ && !resolving && !nearer;
+  forgiven_ = forgiven_ || (nearer && mark <= before_at_ && error > 0.3 * before_);
   // Beyond a kink, errors fall slowly and by chance: steps could be shortened without end.
   const bool endless = known_.features->has_kinks() && pair > 0.5 * patience * std::max(factor, 0.35);
   if (errors.of_energy < errors.of_state && errors.of_energy <= 3.0) {

@@ -203,6 +203,7 @@ class Orbiter {
   double before_ = infinity;  // error predicted from the best of the last pairs of runs, and its mark
   std::size_t before_at_ = 0;
   double energy_before_ = infinity;      // energy error of the last pair, unless rounding hides it
+  bool forgiven_ = false;                // such a fall has counted as an improvement; only once
   int vain_ = 0;                         // pairs in a row that did not improve on the best one
   int lengthened_ = 0;                   // how often a step was made longer
   Candidate* lengthened_for_ = nullptr;  // candidate whose step was made longer last
