@@ -28,8 +28,10 @@ class Pauses {
     double length;   ///< Time since the lowest speed.
     double error;    ///< Energy error at the lowest speed, over its scale; 0 where rounding of H hides it.
     /// Returns true if the speed has grown exponentially, as it does from a saddle; in a fall it grows faster
-    /// towards the end.
-    [[nodiscard]] bool is_at_saddle() const { return rate * length < 2.0 * std::log(1.0 / slowest); }
+    /// towards the end, and under a constant force more slowly.
+    [[nodiscard]] bool is_at_saddle() const {
+      return rate * length < 2.0 * std::log(1.0 / slowest) && rate * length > 0.5 * std::log(0.3 / slowest);
+    }
     /// Returns true if another run, with other steps, should see this pause, too.
     [[nodiscard]] bool is_plain() const {
       return slowest < 0.02 && fastest > 0.6 && length > 2.5 * step && is_at_saddle();
