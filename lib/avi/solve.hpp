@@ -155,8 +155,8 @@ struct Choice {
   std::string name = "fixed";  ///< Name of the monitor, see SolveMonitor.
   int order = 0;               ///< Order of the method.
   double h = 0.0;              ///< Fictive step.
-  /// Reference value of energy errors: half of \f$|p\cdot\dot q|\f$, averaged over the beginning of the run;
-  /// or over the whole run, where H depends on time and that average is larger.
+  /// Reference value of energy errors: half of \f$|p\cdot\dot q|\f$, averaged over a sketch of the beginning,
+  /// and of a later part that is far faster; or over the run, where H depends on time and that is larger.
   double energy_scale = 1.0;
   double kinetic = 0.0;  ///< Mean kinetic energy at the beginning, a constant of the monitors.
   std::vector<double> accelerations = {};  ///< Weights \f$w_i\f$ of the monitor of that name, see solve().
