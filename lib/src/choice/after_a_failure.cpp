@@ -88,8 +88,16 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
     if (again) repeated_ = std::min(repeated_, reached);
   }
   // A step that was too long, as one into a wall, may end on an orbit of another energy, which shows nothing.
+  // If a shorter one fails at the same place, too, that is looked at all the same.
   const bool elsewhere = !again && journey.energy_error > 10.0;
-  if ((stopped ? it.failures == 0 && menu_.has_a_choice() : !again) && !elsewhere) look_from(journey.state);
+  const bool look = stopped ? it.failures == 0 && menu_.has_a_choice() : !again;
+  const auto owed = std::exchange(owed_look_, std::nullopt);
+  if (look && elsewhere)
+    owed_look_ = journey.state;
+  else if (look)
+    look_from(journey.state);
+  else if (again && owed)
+    look_from(*owed);
   // Runs with two monitors stall at the same time: the orbit ends there.
   if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
   failed_at_ = reached, failed_with_ = &it;
@@ -129,7 +137,7 @@ bool Orbiter::failed(const Journey& journey, Setting& setting) {
   if (goes_back(setting)) return true;
   note_failure(journey, setting);
   Candidate* const best = most_hopeful();
-  if (!best || static_cast<double>(budget_.sweeps) * setting.candidate->price() > its_patience()) {
+  if (!best || static_cast<double>(budget_.sweeps - began_) * setting.candidate->price() > its_patience()) {
     in_the_way_ = std::isfinite(repeated_) ? repeated_ : best ? 0.0 : furthest_;
     return false;
   }

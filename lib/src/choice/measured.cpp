@@ -67,7 +67,7 @@ Measured measure(const Sketch& sketch, const ExpressionGraph& graph, int node, c
       shaken[i] += sample.h * std::abs(formula.partial(i) / measured.lively.back());
     low = low.cwiseMin(sample.z), high = high.cwiseMax(sample.z);
     measured.changes.push_back({measured.lively.back(), along(sample.slope)});
-    if (k + 1 == sketch.samples.size()) continue;
+    if (sample.last || k + 1 == sketch.samples.size()) continue;
     // Value and slope halfway along the cubic polynomial between the two samples.
     const Sketch::Sample& next = sketch.samples[k + 1];
     middle = 0.5 * (sample.z + next.z) + 0.125 * sample.h * (sample.slope - next.slope);

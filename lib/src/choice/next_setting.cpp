@@ -21,9 +21,11 @@ bool sweeps_leave_more(const Journey& run) {
 /// of |p q'| is the unit of energy errors. Then the mean up to this mark becomes the unit.
 void Orbiter::look_at_work(std::size_t mark) {
   const double mean = fine_->work / since_start(mark), unit = known_.trip->energy_scale;
+  if (!(mean > unit) || !std::isfinite(mean)) return;
   // A run whose steps are too long for the later motion may run away.
   const double apart = coarse_->work / fine_->work;
-  if (!(mean > unit) || !std::isfinite(mean) || !(apart > 0.5 && apart < 2.0)) return;
+  const bool at_one_time = coarse_->ok() && coarse_->marks.size() == mark + 1;
+  if (at_one_time && !(apart > 0.5 && apart < 2.0)) return;
   known_.take_unit_of_energy(mean);
   coarse_->energy_error *= unit / mean, fine_->energy_error *= unit / mean;
 }
@@ -100,7 +102,7 @@ bool Orbiter::shorten(Setting& setting, std::size_t mark, const ErrorsAtMark& er
     unstable_ = true;
     return again(setting, 1.0);
   }
-  const double spent = static_cast<double>(budget_.sweeps) * setting.candidate->price();
+  const double spent = static_cast<double>(budget_.sweeps - began_) * setting.candidate->price();
   const double pair = known_.span / since_start(mark) * setting.candidate->price() *
                       static_cast<double>(coarse_->run.evaluations + fine_->run.evaluations);
   // Errors set by rounding go up and down, so a pair that does not improve on the best one is in vain.

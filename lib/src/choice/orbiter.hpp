@@ -84,7 +84,8 @@ inline double trusted(const Journey& coarse, const Journey& fine) {
 class Orbiter {
  public:
   Orbiter(const OrbitQuestion& question, Budget& budget)
-      : question_(question), budget_(budget), known_(question, budget, answer_), menu_(question, known_) {}
+      : question_(question), budget_(budget), began_(budget.sweeps), known_(question, budget, answer_),
+        menu_(question, known_) {}
 
   OrbitAnswer solve();
 
@@ -169,6 +170,7 @@ class Orbiter {
   const OrbitQuestion& question_;
   Budget& budget_;
   OrbitAnswer answer_;
+  long began_;      // sweeps of the call before this search
   Overview known_;  // what is known before the runs
   Menu menu_;
   bool closely_ = false;  // whether the sketch takes short steps, as one of longer steps was blind
@@ -211,11 +213,12 @@ class Orbiter {
   Setting instead_of_;                   // setting that was replaced by a candidate set aside before
 
   // Failures.
-  std::optional<Journey> furthest_run_;  // the failed run that came furthest
-  double failed_at_ = -1.0;              // time at which the last run failed
-  Candidate* failed_with_ = nullptr;     // candidate of that run
-  double furthest_ = 0.0;                // latest time at which a run failed
-  double repeated_ = infinity;           // earliest time at which two runs in a row failed
+  std::optional<Journey> furthest_run_;      // the failed run that came furthest
+  double failed_at_ = -1.0;                  // time at which the last run failed
+  Candidate* failed_with_ = nullptr;         // candidate of that run
+  std::optional<State<dynamic>> owed_look_;  // where that run ended, if not looked at yet
+  double furthest_ = 0.0;                    // latest time at which a run failed
+  double repeated_ = infinity;               // earliest time at which two runs in a row failed
   double dead_end_ = 0.0;        // time that a sketch, or runs with two monitors, cannot pass; 0 if none
   double in_the_way_ = 0.0;      // time at which runs fail with every step; 0 if none
   Outcome bound_ = Outcome::ok;  // bound of the call that a run has met

@@ -60,8 +60,7 @@ void Overview::make(bool closely, const std::optional<State<dynamic>>& also) {
   if (late()) return;
   if (also) {
     const double before = std::abs(also->t - question_.t);
-    sketch->append(Sketch(field, stacked(*also), span - before, metric, Sketch::few, before));
-    bends->measure(*sketch);
+    sketch->append(Sketch(field, stacked(*also), span - before, metric, Sketch::few, before), before);
   }
   const double time = std::max(sketch->time, 1e-300);
   distance->frequency = sketch->radians / time;

@@ -24,8 +24,9 @@ class Sketch {
     Numbers slope;                              ///< Velocity in phase space.
     Numbers errors;                             ///< Errors of the step, for each entry.
     double h;                                   ///< Time to the next sample.
-    double frequency;  ///< Radians per unit of time, estimated from the error of the step.
-    double energy;     ///< Value of H.
+    double frequency;   ///< Radians per unit of time, estimated from the error of the step.
+    double energy;      ///< Value of H.
+    bool last = false;  ///< Whether the next sample, if any, is not at the end of this step.
   };
 
   static constexpr int few = 128;  ///< Largest number of steps, unless more are asked for.
@@ -48,7 +49,7 @@ class Sketch {
     for (const Sample& sample : samples) {
       if (sample.frequency > most) at = t, most = sample.frequency;
       if (sample.frequency > 0.0) least = std::min(least, sample.frequency);
-      t += sample.h;
+      t = sample.last ? resumed_ : t + sample.h;
     }
     return {at, most / least};
   }
@@ -59,8 +60,10 @@ class Sketch {
       most = std::max(most, sample.frequency);
     return most;
   }
-  /// Adds the samples of another part of the orbit.
-  void append(Sketch&& other) {
+  /// Adds the samples of another part of the orbit, which begins so long after the first one.
+  void append(Sketch&& other, double later) {
+    if (!samples.empty()) samples.back().last = true;
+    resumed_ = later;
     for (const Sample& sample : other.samples)
       samples.push_back(sample);
     time += other.time, radians += other.radians;
@@ -81,6 +84,7 @@ class Sketch {
  private:
   void find_frequencies(const VectorX& ranges, const VectorX& roots, bool timed, bool limited);
 
+  double resumed_ = 0.0;                         // time at which the second part begins, if any
   std::unique_ptr<double[]> numbers_;            // numbers of all samples,
   std::vector<std::unique_ptr<double[]>> more_;  // and of those that were appended
 };
