@@ -17,8 +17,8 @@
 // The slopes of pow are also right at a = 0: f log(a + 5e-324) is 0 there, where 0 * log(0) would be NaN, and
 // slope_of_power(), b a^(b - 1), is 0 where b is 0 as well.
 //
-// A new row adds a function to recording, gradients, programs, packs and series, and tells the choice of
-// steps what to look for. Its test formula goes into tests/unit/elementary.hpp.
+// A new row adds a function to recording, gradients, programs, packs and series; the shape tells the choice
+// of steps what to look for. Its test formula goes into tests/unit/elementary.hpp.
 /// @cond
 // clang-format off
 #define AVI_FUNCTIONS(ONE, TWO)                                             \

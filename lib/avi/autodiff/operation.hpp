@@ -41,9 +41,9 @@ namespace shapes {
 /// What a function f of one number a does, apart from its value and slope.
 enum Shape : unsigned {
   plain = 0,
-  vanishes = 1,  ///< f vanishes as a does.
+  vanishes = 1,  ///< f vanishes to the same degree as a.
   turns = 2,     ///< f is of another form for |a| < 1 than beyond, and its singularities lie beside a = 0.
-  positive = 4,  ///< f > 0.
+  positive = 4,  ///< f > 0 for all a, as exp is, so that 1 / f has no pole.
   abrupt = 8,    ///< f, or its slope, changes exponentially fast on both sides of a = 0.
   kinked = 16    ///< f has a kink or a jump.
 };

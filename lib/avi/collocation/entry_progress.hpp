@@ -77,7 +77,7 @@ class EntryProgress {
     Vector<double, n> least, recent, former;
   };
   /// True where entries change by rounding of their own size only, at most. Changes of what depends on them
-  /// are then rounding, too, as of a stiff force near its zero.
+  /// alone are then rounding, too, as of a stiff force near its zero.
   static bool rests(const Vec& old, const Vec& now) {
     for (Eigen::Index i = 0; i < now.size(); ++i)
       if (!(largest(Pack<w>(now[i] - old[i])) <= 4.0 * epsilon * largest(now[i]))) return false;
