@@ -88,16 +88,9 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
     if (again) repeated_ = std::min(repeated_, reached);
   }
   // A step that was too long, as one into a wall, may end on an orbit of another energy, which shows nothing.
-  // If a shorter one fails at the same place, too, that is looked at all the same.
-  const bool elsewhere = !again && journey.energy_error > 10.0;
-  const bool look = stopped ? it.failures == 0 && menu_.has_a_choice() : !again;
-  const auto owed = std::exchange(owed_look_, std::nullopt);
-  if (look && elsewhere)
-    owed_look_ = journey.state;
-  else if (look)
-    look_from(journey.state);
-  else if (again && owed)
-    look_from(*owed);
+  // Where the sketch ended at a singularity, that is the reason.
+  const bool elsewhere = !again && journey.energy_error > 10.0 && !known_.sketch->stuck;
+  if ((stopped ? it.failures == 0 && menu_.has_a_choice() : !again) && !elsewhere) look_from(journey.state);
   // Runs with two monitors stall at the same time: the orbit ends there.
   if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
   failed_at_ = reached, failed_with_ = &it;

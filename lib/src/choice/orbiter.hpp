@@ -213,12 +213,11 @@ class Orbiter {
   Setting instead_of_;                   // setting that was replaced by a candidate set aside before
 
   // Failures.
-  std::optional<Journey> furthest_run_;      // the failed run that came furthest
-  double failed_at_ = -1.0;                  // time at which the last run failed
-  Candidate* failed_with_ = nullptr;         // candidate of that run
-  std::optional<State<dynamic>> owed_look_;  // where that run ended, if not looked at yet
-  double furthest_ = 0.0;                    // latest time at which a run failed
-  double repeated_ = infinity;               // earliest time at which two runs in a row failed
+  std::optional<Journey> furthest_run_;  // the failed run that came furthest
+  double failed_at_ = -1.0;              // time at which the last run failed
+  Candidate* failed_with_ = nullptr;     // candidate of that run
+  double furthest_ = 0.0;                // latest time at which a run failed
+  double repeated_ = infinity;           // earliest time at which two runs in a row failed
   double dead_end_ = 0.0;        // time that a sketch, or runs with two monitors, cannot pass; 0 if none
   double in_the_way_ = 0.0;      // time at which runs fail with every step; 0 if none
   Outcome bound_ = Outcome::ok;  // bound of the call that a run has met
