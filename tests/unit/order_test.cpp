@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 namespace order_test {
 
 std::vector<double> halvings(double first, int count) {

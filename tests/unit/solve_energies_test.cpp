@@ -151,7 +151,7 @@ TEST(SolveEnergies, HaveTheUnitOfTheWholeRunWhereTimeDrives) {
   const avi::State<1> rest{.q = 0.0, .p = 0.0};
   for (const auto& [centre, width, frequency, size] :
        {std::array{12.0, 1.7, 5.0, 0.054}, std::array{7.59, 1.08, 5.89, 2.22}}) {
-    const auto force = [=](const auto& t) {
+    const auto force = [centre = centre, width = width, frequency = frequency, size = size](const auto& t) {
       const auto x = (t - centre) / width;
       return size * exp(-x * x) * cos(frequency * t);
     };

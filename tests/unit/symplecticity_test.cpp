@@ -120,9 +120,9 @@ TEST(SymplecticityDefect, IsTheSameInUnitsOfAnySize) {
                                      {1e30, 1e-30},
                                      {1e60, 1e60}}) {
     const double time = length * 2e-5;
+    const double size = length, unit = mass * length / (time * time);
     const auto gradient = [&](const avi::Vector<double, 2>& q) {
-      return avi::Vector<double, 2>(avi::Kepler::potential_gradient<double>(q / length) *
-                                    (mass * length / (time * time)));
+      return avi::Vector<double, 2>(avi::Kepler::potential_gradient<double>(q / size) * unit);
     };
     const avi::Separable flows(Heavy{mass, gradient});
     auto z = avi::Kepler::pericentre(0.3);

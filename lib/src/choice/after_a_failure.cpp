@@ -85,15 +85,21 @@ void Orbiter::note_failure(const Journey& journey, const Setting& setting) {
   const bool stopped = journey.run.outcome == Outcome::stopped;
   if (!stopped) {
     furthest_ = std::max(furthest_, reached);
-    if (again) repeated_ = std::min(repeated_, reached);
+    if (again) repeated_ = std::min(repeated_, std::max(reached, failed_at_));
   }
   // A step that was too long, as one into a wall, may end on an orbit of another energy, which shows nothing.
   // Where the sketch ended at a singularity, that is the reason.
   const bool elsewhere = !again && journey.energy_error > 10.0 && !known_.sketch->stuck;
-  if ((stopped ? it.failures == 0 && menu_.has_a_choice() : !again) && !elsewhere) look_from(journey.state);
-  // Runs with two monitors stall at the same time: the orbit ends there.
-  if (again && failed_with_ != &it && journey.run.outcome == Outcome::stalled) dead_end_ = reached;
-  failed_at_ = reached, failed_with_ = &it;
+  const bool looks = stopped ? it.failures == 0 && menu_.has_a_choice() : !again || owes_look_;
+  if (looks && !elsewhere) look_from(journey.state);
+  owes_look_ = elsewhere;
+  if (journey.run.outcome == Outcome::stalled) {
+    // Runs with two monitors stall at the same time: the orbit ends there.
+    if (stalled_with_ && stalled_with_ != &it && std::abs(reached - stalled_at_) <= 1e-2 * reached)
+      dead_end_ = reached;
+    stalled_at_ = reached, stalled_with_ = &it;
+  }
+  failed_at_ = reached;
   // A monitor may have a singularity of its own there, or be undefined.
   const bool undefined = journey.run.outcome == Outcome::non_finite && !it.fixed();
   it.failures += undefined ? 2 : 1;
@@ -114,9 +120,13 @@ Candidate* Orbiter::most_hopeful() {
     if (!each.aside) least = std::min(least, each.outlook);
   Candidate* best = nullptr;
   const int most = dead_end_ > 0.0 ? 2 : menu_.has_a_choice() ? 4 : 8;
+  const double there = std::min(failed_at_, known_.sketch->time);
   for (Candidate& each : menu_.all) {
     if (each.aside) continue;
-    const bool hopeless = each.failures >= most || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
+    // Its run would be stopped before it comes to where the last one failed.
+    const double steps = menu_.expected_steps(each, std::min(menu_.first_step(each), each.below), there);
+    const bool dear = is_stopped_for_price() && steps * each.price() > its_patience();
+    const bool hopeless = dear || each.failures >= most || (dead_end_ > 0.0 && each.outlook > 30.0 * least);
     if (!hopeless && !(best && work(each) >= work(*best))) best = &each;
   }
   return best;

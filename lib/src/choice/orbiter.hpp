@@ -165,6 +165,12 @@ class Orbiter {
   [[nodiscard]] bool is_further(const Journey& journey, const Journey& other) const {
     return known_.sense * (journey.state.t - other.state.t) > 0.0;
   }
+  /// Whether runs are stopped for their price: not if their step is given, or their order is low and needs
+  /// many steps.
+  [[nodiscard]] bool is_stopped_for_price() const {
+    const SolveOptions& options = question_.options;
+    return !(options.h > 0.0) && !(options.order > 0 && options.order < 6);
+  }
   [[nodiscard]] double its_patience() const { return dead_end_ > 0.0 ? 0.1 * patience : patience; }
 
   const OrbitQuestion& question_;
@@ -215,7 +221,9 @@ class Orbiter {
   // Failures.
   std::optional<Journey> furthest_run_;  // the failed run that came furthest
   double failed_at_ = -1.0;              // time at which the last run failed
-  Candidate* failed_with_ = nullptr;     // candidate of that run
+  double stalled_at_ = 0.0;              // time at which the last run stalled that did,
+  Candidate* stalled_with_ = nullptr;    // and its candidate
+  bool owes_look_ = false;               // the look at the last failure was put off
   double furthest_ = 0.0;                // latest time at which a run failed
   double repeated_ = infinity;           // earliest time at which two runs in a row failed
   double dead_end_ = 0.0;        // time that a sketch, or runs with two monitors, cannot pass; 0 if none

@@ -41,10 +41,8 @@ void Orbiter::bound(Journey& journey, std::size_t mark) {
   const bool first = journey.candidate->failures == 0 && menu_.has_a_choice();
   journey.most =
       1e4 + (first ? 3e2 : 3e3) * menu_.expected_steps(*journey.candidate, journey.h, since_start(mark));
-  // Nor should a run take long where the sketch took some hundred steps, unless its step is given, or its
-  // order is low and needs many steps.
-  const SolveOptions& options = question_.options;
-  if (options.h > 0.0 || (options.order > 0 && options.order < 6)) return;
+  // Nor should a run take long where the sketch took some hundred steps.
+  if (!is_stopped_for_price()) return;
   if (resolved_ == 0.0 || std::abs(journey.state.t - question_.t) < known_.sketch->time)
     journey.most = std::min(journey.most, its_patience() / journey.candidate->price());
 }

@@ -157,11 +157,12 @@ class Kinks {
   bool ends_there(const Crossing& zero, const F& on) {
     const auto& [place, is_difference, count] = places_[zero.index];
     if (count == 0) return false;
+    const std::size_t first = place + (is_difference ? 2 : 1), number = count;
     const auto bases_at = [&](double c) {
       (void)on(c);
       std::vector<double> bases;
-      for (std::size_t k = 0; k < count; ++k)
-        bases.push_back(std::abs((*nodes_)[place + (is_difference ? 2 : 1) + k]));
+      for (std::size_t k = 0; k < number; ++k)
+        bases.push_back(std::abs((*nodes_)[first + k]));
       return bases;
     };
     const double aside = 1e-3 * (zero.high - zero.low);
