@@ -30,7 +30,7 @@ TEST(DualNumber, PartialsAgreeWithCentralDifferences) {
   std::apply([&](const auto&... f) { (check(f), ...); }, elementary);
 }
 
-/// Where the function has a derivative at zero, or one from the right.
+/// Where the function has a derivative at zero, or one on each side.
 template <class S>
 void check_at_zero(S x) {
   using std::abs, avi::power;
@@ -40,7 +40,11 @@ void check_at_zero(S x) {
   EXPECT_EQ(slope(pow(x, 1.5)), 0.0);
   EXPECT_EQ(slope(pow(x, 2.0)), 0.0);
   EXPECT_EQ(slope(power(x, 3.0)), 0.0);
-  EXPECT_EQ(slope(abs(x)), 1.0) << "to the right of the kink";
+  EXPECT_EQ(slope(abs(x)), 0.0) << "the mean of both sides";
+  EXPECT_EQ(slope(min(x, S(0.0))), 0.5);
+  EXPECT_EQ(slope(max(S(0.0), 3.0 * x)), 1.5);
+  EXPECT_EQ(slope(max(x, 2.0 * x)), 1.5);
+  EXPECT_EQ(max(x, S(std::nan(""))) < 1.0, true) << "as std::max, which gives the first of the two";
 }
 
 TEST(DualNumber, DerivativesAtZero) {

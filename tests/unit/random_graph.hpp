@@ -48,7 +48,7 @@ inline double by_hand(Operation operation, double a, double b) {
   case power:
     return avi::power(a, b);
   case sign:
-    return std::signbit(a) ? -1.0 : 1.0;
+    return a == 0.0 ? 0.0 : std::signbit(a) ? -1.0 : 1.0;
   case less:
     return a < b ? 1.0 : 0.0;
   case less_equal:

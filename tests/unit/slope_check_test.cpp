@@ -36,6 +36,9 @@ TEST(SlopeCheck, RoundingOfXHidesASlopeAtTheMinimumOfSmoothFunctionsOnly) {
   EXPECT_FALSE(lost([](double s) { return s > 1e-16 ? 1e20 : 0.0; }, -1e4)) << "a jump";
   EXPECT_FALSE(lost([](double) { return 1e20; }, -1e-4)) << "flat";
   EXPECT_FALSE(lost([](double s) { return 0.5 * s * s; }, 1.0)) << "another slope";
+  // A thousand units are several periods.
+  EXPECT_TRUE(lost([](double s) { return -std::cos(0x1p49 * s); }, -1e14));
+  EXPECT_FALSE(lost([](double s) { return std::cos(0x1p49 * s); }, -1e14)) << "a maximum";
 }
 
 TEST(SlopeCheck, EveryEntryTakesPartByItsSize) {

@@ -97,6 +97,18 @@ TEST(SolveMonitor, OfOnesOwnIsRefusedWithASentence) {
   refused("given", "one of fixed, energy");
 }
 
+// A sawtooth drives a spring: where its energy goes through zero, the monitor has a singularity, not H.
+TEST(SolveMonitor, ThatIsNamedIsBlamedByItsName) {
+  const auto driven = [](const auto& q, const auto& t, const auto& p) {
+    return 0.5 * (p[0] * p[0] + q[0] * q[0]) - 0.348 * q[0] * (t / 0.4 - floor(t / 0.4));
+  };
+  const avi::State<1> start{.q = std::sin(1.7 * 24), .p = std::cos(2.3 * 24), .t = 0.05};
+  const auto named = solve(driven, start, 10.0, 1e-6, {.monitor = "energy"});
+  EXPECT_NE(named.run.message.find("of monitor energy, as asked for"), std::string::npos)
+      << named.run.message;
+  EXPECT_TRUE(solve(driven, start, 10.0, 1e-6).kept());
+}
+
 // The momentum of time moves by rounding alone where H hardly depends on time; nobody asks for it.
 TEST(SolveMonitor, OfTimeAloneServesAnHThatHardlyChanges) {
   const auto slower = [](const auto&, const auto& t, const auto&) { return 1.0 / (1.0 + 0.01 * t * t); };

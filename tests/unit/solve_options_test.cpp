@@ -226,6 +226,20 @@ TEST(SolveOptions, DoNotCallAnEndKeptThatABoundForbadeToReach) {
   EXPECT_EQ(by_hand.choice.h, whole.choice.h);
 }
 
+// The other run, which comes second, had used up the bound: a single step was kept.
+TEST(SolveOptions, KeepWhatTheStepThatIsGivenHasReached) {
+  const avi::SolveOptions given{.sweeps = 30'000, .monitor = "fixed", .h = 1e-5};
+  const auto cut = solve(Kepler(), Kepler::pericentre(0.5), 1e4, 1e-6, given);
+  EXPECT_EQ(cut.run.outcome, avi::Outcome::step_limit) << cut.report();
+  EXPECT_EQ(cut.choice.h, 1e-5);
+  EXPECT_GT(cut.run.steps, 2500);  // of three sweeps
+  // The bound is met by the second run.
+  const auto both = solve(Kepler(), Kepler::pericentre(0.5), 0.08, 1e-6, given);
+  EXPECT_EQ(both.run.outcome, avi::Outcome::step_limit) << both.report();
+  EXPECT_EQ(both.state.t, 0.08);
+  EXPECT_NE(both.run.message.find("which was to show the error"), std::string::npos) << both.run.message;
+}
+
 // With output on the way it ended as ok.
 TEST(SolveOptions, SayThatABoundWasMetWhateverIsAskedFor) {
   const auto z = Kepler::pericentre(0.2);

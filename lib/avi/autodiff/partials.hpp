@@ -113,8 +113,14 @@ class Partials : ChainRule<Partials<S, N>> {
   }
   friend Partials operator/(const Partials& a, const Partials& b) {
     const S inverse = 1.0 / b.value;
-    if (b.constant) return a * Partials(inverse);
-    Partials c(a.value * inverse);
+    // To the last bit the value that a double has without derivatives, as formulas branch by it; packs save
+    // a division.
+    Partials c(std::is_same_v<S, double> ? S(a.value / b.value) : S(a.value * inverse));
+    if (a.constant && b.constant) return c;
+    if (b.constant) {
+      c.assign([&](int i) { return a.d[i] * inverse; });
+      return c;
+    }
     if (a.constant) {
       const S slope = c.value * inverse;
       c.assign([&](int i) { return -(slope * b.d[i]); });

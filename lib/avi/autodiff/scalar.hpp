@@ -21,8 +21,8 @@ struct Simd {
 
 /// The value of a scalar without its derivatives; a double has none.
 inline double value_of(double x) { return x; }
-/// The slope of |x|: 1 or -1, by the sign bit of x.
-inline double sign_of(double x) { return std::copysign(1.0, x); }
+/// The slope of |x|: 1 or -1, and at zero their mean, 0.
+inline double sign_of(double x) { return x == 0.0 ? 0.0 : std::copysign(1.0, x); }
 
 /// x where the condition holds, else y; a formula uses it in place of a branch on its arguments. Both x and y
 /// are evaluated. The condition is a bool, or the result of comparing other scalars, whose type then provides
@@ -49,9 +49,9 @@ struct Scalar {
 
   ///@{
 
-  /// As in the standard library for doubles.
-  friend X min(const X& a, const X& b) { return select(b < a, b, a); }
-  friend X max(const X& a, const X& b) { return select(a < b, b, a); }
+  /// As in the standard library for doubles. Where a = b, min and max have half of the slope of each.
+  friend X min(const X& a, const X& b) { return select(b < a, b, select(b <= a, 0.5 * (a + b), a)); }
+  friend X max(const X& a, const X& b) { return select(a < b, b, select(a <= b, 0.5 * (a + b), a)); }
   friend X fabs(const X& a) { return abs(a); }
   friend X operator+(const X& a) { return a; }
   ///@}

@@ -33,7 +33,7 @@ class Assembler {
     divide = 0x5e,
     compare = 0xc2
   };
-  enum Comparison : std::uint8_t { less = 1, less_equal = 2 };  ///< Condition of `compare`.
+  enum Comparison : std::uint8_t { less = 1, less_equal = 2, differs = 4 };  ///< Condition of `compare`.
 
   /// Begins code for registers of 2, 4 or 8 numbers.
   explicit Assembler(int numbers) : bytes_(8 * numbers) {}

@@ -320,8 +320,17 @@ class CodeWriter {
       if (it.first == abs) {
         out_.vector(Assembler::bits_and, to, a, pooled(magnitude));
       } else {
-        out_.vector(Assembler::bits_and, to, a, pooled(sign_bit));
-        out_.vector(Assembler::bits_or, to, to, pooled(one));
+        // 1 with the sign of a, but 0 where a is zero
+        const int signed_one = take();
+        out_.vector(Assembler::bits_and, signed_one, a, pooled(sign_bit));
+        out_.vector(Assembler::bits_or, signed_one, signed_one, pooled(one));
+        if (target_.avx512) {
+          out_.compare_to_mask(Assembler::differs, a, pooled(zero));
+          out_.vector(Assembler::load, to, 0, {.vector = signed_one}, 1);
+        } else {
+          out_.compare_lanes(Assembler::differs, to, a, pooled(zero));
+          out_.vector(Assembler::bits_and, to, to, {.vector = signed_one});
+        }
       }
       return to;
     }

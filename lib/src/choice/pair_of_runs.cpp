@@ -113,14 +113,17 @@ bool Orbiter::pursue(Setting& setting) {
   }
   fine_.emplace(begin(setting, 1.0));
   parted_ = false;
+  const bool given = question_.options.h > 0.0;
   for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
     const bool compared = mark < compared_ && !parted_;
     if (compared && coarse_->marks.size() == mark) {
       bound(*coarse_, mark), bound(*fine_, mark);
       fine_->go_beside(*coarse_, marks_[mark]);
     }
-    if (compared && !go_on(*coarse_, mark) && !(question_.options.h > 0.0)) return failed(*coarse_, setting);
+    if (compared && !given && !go_on(*coarse_, mark)) return failed(*coarse_, setting);
     if (!go_on(*fine_, mark)) return failed(*fine_, setting);
+    // A run with the step that is given is the answer whatever the other one does: it comes first.
+    if (compared && given && !go_on(*coarse_, mark) && coarse_->spent) return failed(*coarse_, setting);
     if (mark == 0 && passes_over_start(*fine_)) fine_->jumped = true;
     if (compared) {
       judged_ = mark;

@@ -25,10 +25,13 @@ OrbitAnswer Orbiter::give_up() {
     text << "A bound of the call was met while monitor and step were being chosen.";
     return fail(bound_, text.str());
   }
+  const std::string& named = question_.options.monitor.name;
   if (in_the_way_ > 0.0)
-    text << "Runs fail at t = " << question_.t + known_.sense * in_the_way_
-         << " with every step: the orbit meets a singularity of H "
-         << (question_.given >= 0 ? "or of the monitor " : "") << "there, or comes too near one.";
+    text << "Runs fail at t = " << question_.t + known_.sense * in_the_way_ << " with every step"
+         << (named.empty() ? "" : " of monitor " + named + ", as asked for")
+         << ": the orbit meets a singularity of H "
+         << (question_.given >= 0 || !named.empty() ? "or of the monitor " : "")
+         << "there, or comes too near one.";
   else
     text << (question_.made ? "No run came to the end with a step that was chosen for another start; solve() "
                               "chooses for this one."
@@ -136,8 +139,12 @@ void Orbiter::tell_end(const Journey& fine) {
     answer_.run.message = given_up(fine);
     answer_.run.outcome = Outcome::step_limit;
   } else if (fine.state.t == question_.t_end) {
-    answer_.run.message = "A bound of the call was met by the run with the shorter step; the state is that "
-                          "of the one with the longer step.";
+    answer_.run.message =
+        question_.options.h > 0.0
+            ? "A bound of the call was met by the run with a longer step, which was to show the error."
+            : "A bound of the call was met by the run with the shorter step; the state is that of the one "
+              "with "
+              "the longer step.";
   } else {
     State<dynamic> there = fine.state;
     if (question_.timed)

@@ -48,8 +48,7 @@ class MinimiserRun : Descent {
       ++iterations_;
       if (underflows()) return out_of_range();
       if (norm_ <= target_ && !exact_ && !settle()) return end(failure_, reason_);
-      const bool done =
-          norm_ <= target_ && (std::isinf(options_.change) || std::abs(base_.f - before) < options_.change);
+      const bool done = is_minimum(norm_, base_.f - before);
       if (!report()) return end(Outcome::stopped, "the callback asked to stop");
       if (done) return end(Outcome::ok);
       if (!gains()) return end(failure_, reason_);
@@ -148,6 +147,10 @@ class MinimiserRun : Descent {
     return true;
   }
 
+  /// Whether a gradient of this length, after f has changed by so much, counts as that of a minimum.
+  [[nodiscard]] bool is_minimum(double length, double change) const {
+    return length <= target_ && (std::isinf(options_.change) || std::abs(change) < options_.change);
+  }
   /// Whether the trial is lower than the start by as much as the slope there promises (Armijo).
   [[nodiscard]] bool falls(const Line& line) const {
     return trial_.f <= line.start.value + 1e-4 * (line.moved + alpha_) * line.start.slope;
@@ -168,7 +171,8 @@ class MinimiserRun : Descent {
   /// Moves to the minimum of the model or to the trial, if one of them will do.
   bool takes(const Line& line, const LineModel& model) {
     const bool falls_enough = falls(line), level = is_level(line.start.value);
-    if (level && std::sqrt(square_) <= target_) return advance(1.0, line.moved), true;
+    if (level && is_minimum(std::sqrt(square_), trial_.f - line.start.value))
+      return advance(1.0, line.moved), true;
     if (recovers(line, model) && !(falls_enough && std::abs(model.r - 1.0) < 1e-6)) {
       undetected_ = undetected(model);
       return advance(model.r, line.moved, base_.f + 0.5 * model.r * alpha_ * down_), true;
