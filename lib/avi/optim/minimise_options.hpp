@@ -38,7 +38,7 @@ struct MinimiseOptions {
   int memory = 7;
   long iterations = 10'000'000;  ///< Limit on iterations, at least 1.
   /// Limit on gradient evaluations, at least 1. A check of the gradient against values that has begun is
-  /// completed, with up to 30 more.
+  /// completed, with up to 34 more.
   long evaluations = 10'000'000;
   /// Compare the gradient at x_0 with differences of values before the run; this mostly takes four
   /// evaluations.
