@@ -2,6 +2,7 @@
 #include "avi/solve.hpp"
 #include "kept.hpp"
 #include "refusal.hpp"
+#include "src/features/divisors.hpp"
 #include "src/features/poles.hpp"
 #include "systems.hpp"
 
@@ -32,6 +33,24 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& wa
   ASSERT_EQ(found.size(), wanted.size());
   for (std::size_t i = 0; i < found.size(); ++i)
     EXPECT_NEAR(found[i], wanted[i], 1e-5 * wanted[i]) << i;
+}
+
+/// The power of q with which a formula of one coordinate vanishes at q = 0, or is infinite if negative.
+template <class H>
+double power_of_q(const H& formula) {
+  const auto f = avi::Formula::of_phase<1>(formula);
+  return avi::detail::power_in(f.graph(), f.node(), 0);
+}
+
+TEST(Poles, HaveThePowerOfTheirDistance) {
+  EXPECT_EQ(power_of_q([](const auto& q, const auto&) { return sin(sqrt(q[0])); }), 0.5);
+  EXPECT_EQ(power_of_q([](const auto& q, const auto& p) { return p[0] / (q[0] * tanh(q[0])); }), -2.0);
+  EXPECT_EQ(power_of_q([](const auto& q, const auto&) { return pow(abs(q[0]), -1.5) * q[0]; }), -0.5);
+  EXPECT_EQ(power_of_q([](const auto& q, const auto&) { return q[0] + q[0] * q[0]; }), 1.0);
+  EXPECT_EQ(power_of_q([](const auto& q, const auto&) { return cos(q[0]); }), 0.0);
+  EXPECT_EQ(power_of_q([](const auto& q, const auto& p) { return sin(p[0] / q[0]); }), 0.0);
+  const double of_log = power_of_q([](const auto& q, const auto&) { return log(q[0]); });
+  EXPECT_TRUE(of_log < 0.0 && of_log > -0.1) << of_log;
 }
 
 // d^2 H / ds^2 over the reduced mass is w^2 s^-2-a, |s dH/ds| is e s^-a: closed forms of each, however it is
