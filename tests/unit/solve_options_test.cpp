@@ -232,7 +232,7 @@ TEST(SolveOptions, KeepWhatTheStepThatIsGivenHasReached) {
   const auto cut = solve(Kepler(), Kepler::pericentre(0.5), 1e4, 1e-6, given);
   EXPECT_EQ(cut.run.outcome, avi::Outcome::step_limit) << cut.report();
   EXPECT_EQ(cut.choice.h, 1e-5);
-  EXPECT_GT(cut.run.steps, 2500);  // of three sweeps
+  EXPECT_GT(cut.run.steps, 5000);  // measured 9999, of three sweeps
   // The bound is met by the second run.
   const auto both = solve(Kepler(), Kepler::pericentre(0.5), 0.08, 1e-6, given);
   EXPECT_EQ(both.run.outcome, avi::Outcome::step_limit) << both.report();

@@ -170,4 +170,23 @@ TEST(SolveStart, AtRestMayBeWhatOnlyTimeSetsInMotion) {
   EXPECT_NEAR(orbit.state.p[0] / p, 1.0, 1e-15);
 }
 
+// At the kink itself the slope of H is the mean of both sides, and the sketch began with that of neither:
+// 1205 steps.
+TEST(SolveStart, MayLieOnAKink) {
+  const auto roof = [](const auto& q, const auto& p) { return 0.5 * p[0] * p[0] + abs(q[0]); };
+  const auto slope = [](const auto& q, const auto& p) {
+    using std::max;
+    return 0.5 * p[0] * p[0] + max(q[0], -q[0]);
+  };
+  for (const double end : {7.3, -7.3}) {
+    const avi::State<1> start{.q = 0.0, .p = 1.0};
+    for (const auto& orbit : {avi::solve(roof, start, end, 1e-8), avi::solve(slope, start, end, 1e-8)}) {
+      EXPECT_TRUE(orbit.kept()) << orbit.report();
+      EXPECT_LT(orbit.run.steps, 36);  // measured 18
+      // 3.3 after a whole period of 4, to the other side.
+      EXPECT_NEAR(orbit.state.q[0], std::copysign(1.3 - 0.5 * 1.3 * 1.3, -end), 4e-16);  // measured 1.7e-16
+    }
+  }
+}
+
 }  // namespace solve_start_test

@@ -154,7 +154,6 @@ TEST(SolveSwitches, ARunMayEndOnOne) {
   EXPECT_TRUE(solve(pushed, from, 5.0, 1e-10, {.dense = true}).kept());
 }
 
-// A monitor that depends on time, too.
 // By another rounding of t / T the energy was that of the other side, in 38 of 287 such starts: each monitor
 // that depends on the state followed another orbit, and some were called kept, 681 tolerances away.
 TEST(SolveSwitches, ARunMayBeginOnOne) {
@@ -165,11 +164,13 @@ TEST(SolveSwitches, ARunMayBeginOnOne) {
       };
       State<2> z{.q = {0.2, 0.0}, .p = {0.0, 3.0}, .t = half * period / 2.0}, later = z;
       later.t += 1e-12;
+      // measured 5.5e-13
       const auto a = kept(solve(pushed, z, z.t + 3.0, 1e-9)), b = kept(solve(pushed, later, z.t + 3.0, 1e-9));
-      EXPECT_LT((a.state.q - b.state.q).norm(), 1e-9) << period << ", " << half;
+      EXPECT_LT((a.state.q - b.state.q).norm(), 1.1e-12) << period << ", " << half;
     }
 }
 
+// A monitor that depends on time, too.
 TEST(SolveSwitches, AGivenMonitorMayDependOnTime) {
   const auto g = [](const auto&, const auto& t, const auto&) { return 1.0 + 0.5 * sin(t); };
   const auto orbit = kept(solve(driven(3.0), start(), 20.0, 1e-8, {.monitor = g}));

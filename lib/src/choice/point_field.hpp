@@ -159,6 +159,7 @@ class PointField {
   double sense = 1.0;  ///< Direction of time; -1 follows the orbit backwards.
   bool timed = false;  ///< Whether the last coordinate is time, which has a unit of its own.
   std::shared_ptr<const Switches> switches = {};  ///< Times at which H switches, if any.
+  bool has_kinks = false;                         ///< Whether H has kinks.
   std::optional<Barriers> barriers = {};          ///< Where H is infinite, if it may be.
   std::function<double(const VectorX&)> limit;    ///< Longest step of a sketch from a point, if limited.
 

@@ -43,6 +43,7 @@ inline PointField field_of(const OrbitQuestion& question) {
                                        : PointField(question.graph, question.energy, question.gradient);
   field.timed = question.timed;
   field.switches = question.switches;
+  field.has_kinks = question.kinks != nullptr;
   if (question.barriers) field.barriers = *question.barriers;
   return field;
 }

@@ -176,6 +176,12 @@ Sketch::Sketch(PointField& field, const VectorX& z, double span, const VectorX& 
   Passed passed(at);
   VectorX scale(size), errors(size);
   double energy = field(at, step.k[0]), last = energy;
+  if (field.has_kinks) {
+    // At a kink the slope is the mean of both sides; the motion begins with that of one side.
+    const VectorX ahead = at + 1e-12 * span * step.k[0];
+    field(ahead, errors);
+    if ((errors - step.k[0]).cwiseAbs().maxCoeff() > 1e-3 * errors.cwiseAbs().maxCoeff()) step.k[0] = errors;
+  }
   // If no force acts here, a long step may lead to where none acts either, passing over a force in between.
   const double unpushed = field.frequency_of_unpushed(at, step.k[0], metric);
   double h = std::min(first_step(field, at, step.k[0], span, roots), 1.0 / unpushed);

@@ -143,8 +143,7 @@ void Orbiter::tell_end(const Journey& fine) {
         question_.options.h > 0.0
             ? "A bound of the call was met by the run with a longer step, which was to show the error."
             : "A bound of the call was met by the run with the shorter step; the state is that of the one "
-              "with "
-              "the longer step.";
+              "with the longer step.";
   } else {
     State<dynamic> there = fine.state;
     if (question_.timed)
